@@ -27,7 +27,7 @@ from birdcage_tui.calibrate.source import make_calibrate
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.themes import LOOKS
@@ -121,7 +121,7 @@ async def demo(
         )  # fmt: skip
         signals = SessionSignals(session, here, lambda: here, threads=False)
         session.start = lambda: None  # stepped here instead of running on its thread
-        settings = AppSettings(
+        settings = AppOptions(
             theme=theme,
             cell_aspect=picture.CELL_ASPECT,
             place=DEMO_PLACE,

@@ -7,7 +7,7 @@ import statistics
 import time
 from datetime import UTC, datetime
 
-from birdcage.sky.catalogue import Entry, SearchIndex
+from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
 from made_up import made_up
 
 COUNT, RUNS = 10_000, 5
@@ -21,7 +21,7 @@ def median_ms(work: list[float]) -> float:
 def main() -> None:
     now = datetime.now(UTC)
     elements = made_up(COUNT, now)
-    index = SearchIndex(Entry(each, now, ("active",)) for each in elements)
+    index = SearchIndex(CatalogueEntry(each, now, ("active",)) for each in elements)
     names = [each.name.casefold() for each in elements]
     ours, floor = [], []
     for _ in range(RUNS):

@@ -11,8 +11,8 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 
 from birdcage.sim.almanac import geostationary
-from birdcage.sim.settings import Settings
-from birdcage.sim.sky import Sky
+from birdcage.sim.settings import SimSettings
+from birdcage.sim.sky import SimSky
 
 DENVER = 39.74, -104.99
 NIGHT = datetime(2026, 3, 20, 6, tzinfo=UTC)
@@ -31,7 +31,7 @@ Scan = dict[tuple[int, int], int]
 
 def simulated() -> Scan:
     """Return the counts of each cell, (azimuth, elevation) in degrees, without noise."""
-    sky = Sky(Settings(lat=DENVER[0], lon=DENVER[1]))
+    sky = SimSky(SimSettings(lat=DENVER[0], lon=DENVER[1]))
     return {(az, el): round(sky.level(NIGHT, az, el)) for az in AZ_DEG for el in EL_DEG}
 
 

@@ -10,23 +10,23 @@ from collections.abc import Callable
 
 from birdcage.base.geometry import wrap_360
 from birdcage.leapfrog import apply_leapfrog
-from birdcage.tracking.controller import Controller, Helm
-from birdcage.tracking.steps import Activity, Look, Send, Wait
+from birdcage.tracking.controller_input import Controller, ControllerInput
+from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
 
 TICK_S = 1.0
 
 
-def _clamped(helm: Helm, el_deg: float) -> float:
+def _clamped(helm: ControllerInput, el_deg: float) -> float:
     axis = helm.model.elevation
     return min(max(el_deg, axis.min_deg), axis.max_deg)
 
 
-def _seen_from(helm: Helm, t_s: float) -> tuple[float, float]:
+def _seen_from(helm: ControllerInput, t_s: float) -> tuple[float, float]:
     az, el = helm.course().at(t_s)
     return wrap_360(az), el
 
 
-def _both(helm: Helm, az_deg: float, el_deg: float, *, az_first: bool) -> Activity:
+def _both(helm: ControllerInput, az_deg: float, el_deg: float, *, az_first: bool) -> Activity:
     order = [(helm.model.azimuth.index, wrap_360(az_deg)), (helm.model.elevation.index, _clamped(helm, el_deg))]
     for index, deg in order if az_first else reversed(order):
         yield Send(index, deg)
@@ -35,10 +35,10 @@ def _both(helm: Helm, az_deg: float, el_deg: float, *, az_first: bool) -> Activi
 def move_to_now(tolerance_deg: float, *, leapfrog: bool) -> Controller:
     """Once a second: where is it, is the dish off by more than the tolerance, then go there."""
 
-    def follow(helm: Helm) -> Activity:
+    def follow(helm: ControllerInput) -> Activity:
         now_s, az_first = helm.now_s, True
         while now_s < helm.until_s:
-            seen = yield Look()
+            seen = yield ReadPosition()
             az, el = _seen_from(helm, now_s)
             el = _clamped(helm, el)
             was = wrap_360(seen.az_deg or 0.0), seen.el_deg or 0.0
@@ -58,7 +58,7 @@ def gpredict(tolerance_deg: float, *, leapfrog: bool) -> Controller:
     Where the error has reached the tolerance it sends the point at which the error will have reached it again.
     """
 
-    def ahead(helm: Helm, now_s: float, rot: tuple[float, float]) -> tuple[float, float] | None:
+    def ahead(helm: ControllerInput, now_s: float, rot: tuple[float, float]) -> tuple[float, float] | None:
         az, el = _seen_from(helm, now_s)
         clamped = _clamped(helm, el)
         if not (abs(az - wrap_360(rot[0])) > tolerance_deg or abs(clamped - rot[1]) > tolerance_deg):
@@ -72,7 +72,7 @@ def gpredict(tolerance_deg: float, *, leapfrog: bool) -> Controller:
             step_s /= 2.0
         return found[0], _clamped(helm, found[1])
 
-    def follow(helm: Helm) -> Activity:
+    def follow(helm: ControllerInput) -> Activity:
         now_s, az_first = helm.now_s, True
         rot = wrap_360(helm.start_az_deg), helm.start_el_deg
         target: tuple[float, float] | None = None
@@ -89,7 +89,7 @@ def gpredict(tolerance_deg: float, *, leapfrog: bool) -> Controller:
                 yield from _both(helm, az, el, az_first=az_first or not leapfrog)
                 az_first, target = not az_first, None
             now_s = (yield Wait(began_s + 0.1)).now_s
-            seen = yield Look()
+            seen = yield ReadPosition()
             rot = wrap_360(seen.az_deg or 0.0), seen.el_deg or 0.0
             now_s = (yield Wait(seen.now_s + max(seen.now_s - began_s, 0.7))).now_s
 

@@ -20,13 +20,13 @@ from birdcage.protocol.registry import get_protocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort, open_device
-from birdcage.tracking.controller import Controller, Helm
+from birdcage.tracking.controller_input import Controller, ControllerInput
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.motor_course import course_of_motors
-from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
+from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Send, Step, StepResult, Wait
 
 SAMPLES_HZ = 20.0
 EARLY_S = 240.0
@@ -138,7 +138,7 @@ class Bench:
         for axis, orders in zip(self.device.dish.axes, self.orders, strict=False):
             self._note(axis, orders, dish_zero_s)
 
-    def _note(self, axis: Axis, orders: list[Order], dish_zero_s: float) -> None:
+    def _note(self, axis: AxisMechanics, orders: list[Order], dish_zero_s: float) -> None:
         """Write down when an axis acts on a command."""
         retarget = axis.retarget
 
@@ -210,12 +210,12 @@ class Bench:
         stands, self.port.share = self.at, self.lost
         self.wait_in_place(start_s - lead_s)
         motors = course_of_motors(course, self.model, *self._spans())
-        helm = Helm(
+        helm = ControllerInput(
             lambda: motors, self.model, *stands, self.now_s, end_s, self.latency_s, from_s=start_s,
             answered=self.protocol.console.answered, delay_s=DELAY_S,
         )  # fmt: skip
         activity = controller(helm)
-        answer: Answer | None = None
+        answer: StepResult | None = None
         try:
             while True:
                 answer = self.do(next(activity) if answer is None else activity.send(answer))
@@ -234,33 +234,33 @@ class Bench:
         t, az, el = np.array(self.samples).T
         return Followed(t, az, el, self.commands, self.backlog, self.latency_s)
 
-    def do(self, step: Step) -> Answer:
+    def do(self, step: Step) -> StepResult:
         before_s = self.now_s
         if isinstance(step, Wait):
             self.wait(step.until_s)
-            return Answer(self.now_s)
+            return StepResult(self.now_s)
         try:
             return self._ask(step, before_s)
         except NoReply:
-            return Answer(self.now_s)
+            return StepResult(self.now_s)
 
-    def _ask(self, step: Step, before_s: float) -> Answer:
+    def _ask(self, step: Step, before_s: float) -> StepResult:
         self.commands += 1
-        if isinstance(step, Look):
+        if isinstance(step, ReadPosition):
             seen = self.antenna.glance()
             now_s = self.now_s
-            return Answer(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
-        if isinstance(step, Limit):
+            return StepResult(now_s, az_deg=seen.azimuth, el_deg=seen.elevation, seen_s=(before_s + now_s) / 2.0)
+        if isinstance(step, LimitSpeeds):
             for motor, speed_deg_s in step.speeds_deg_s.items():
                 self.antenna.use_speeds(self.protocol.set_speed(motor, speed_deg_s))
             self.protocol.enter_motor_menu()
-            return Answer(self.now_s, sent_s=before_s)
+            return StepResult(self.now_s, sent_s=before_s)
         assert isinstance(step, Send)
         self._asked_s = before_s + self.late_s
         self.antenna.steer(step.axis, step.deg)
         self._sent(step)
         self._count_waiting()
-        return Answer(self.now_s, sent_s=before_s)
+        return StepResult(self.now_s, sent_s=before_s)
 
     def _sent(self, step: Send) -> None:
         az, el = self.at

@@ -17,13 +17,13 @@ from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sky.targets.model import Satellite
 from birdcage.station.mounting import mount_of
-from birdcage.station.pursuit import PursuitOptions
+from birdcage.station.pursuit_state import PursuitOptions
 from birdcage.station.requests import Goto, Pursue
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from tracking_passes import Case
 
@@ -94,7 +94,7 @@ def attempt(work: Attempt) -> Told | None:
         Satellite(work.case.satellite), work.case.observer, mount_of(station.state, Settings()), clock.utc(),
         passing=work.case.passing,
     )  # fmt: skip
-    legs = [leg for leg in plan.legs if leg.part is Part.FOLLOW]
+    legs = [leg for leg in plan.legs if leg.part is PlanPart.FOLLOW]
     if plan.forecast is None or sum(leg.end_s - leg.start_s for leg in legs) < LEAST_S:
         return None
     forecast = plan.forecast

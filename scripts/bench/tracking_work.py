@@ -10,9 +10,9 @@ from functools import cache
 import numpy as np
 from birdcage.rotator.facts import SecondMove
 from birdcage.sky.targets.model import Satellite
-from birdcage.tracking.controller import Controller
+from birdcage.tracking.controller_input import Controller
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.plan import Leg, Part, Plan
+from birdcage.tracking.plan import Plan, PlanLeg, PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.refining import refine
 from birdcage.tracking.steering.choice import lead_s
@@ -133,13 +133,13 @@ def planned(work: Work, dish: Dish, now: datetime, offset_s: float) -> Plan:
     return refine(plan, mount) if work.policy in OURS else plan
 
 
-def _stretches(plan: Plan) -> tuple[list[tuple[float, float]], list[Leg | None]]:
+def _stretches(plan: Plan) -> tuple[list[tuple[float, float]], list[PlanLeg | None]]:
     """Return what is followed in one go, gaps above the ceiling included, and the rewind before each."""
     found: list[tuple[float, float]] = []
-    rewinds: list[Leg | None] = []
-    before: Leg | None = None
+    rewinds: list[PlanLeg | None] = []
+    before: PlanLeg | None = None
     for leg in plan.legs:
-        if leg.part is Part.REWIND:
+        if leg.part is PlanPart.REWIND:
             before = leg
         elif found and before is None:
             found[-1] = found[-1][0], leg.end_s

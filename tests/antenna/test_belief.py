@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.antenna.belief import Belief, Expected, Span
+from birdcage.antenna.reading_filter import AngleSpan, Expected, ReadingFilter
 from birdcage.base.errors import NoReply
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.values import Position
@@ -29,7 +29,7 @@ class Wire:
 
 @pytest.fixture
 def rested():
-    wire, belief = Wire((127.51, 36.29), (127.51, 36.29)), Belief(CARRYOUT_G2)
+    wire, belief = Wire((127.51, 36.29), (127.51, 36.29)), ReadingFilter(CARRYOUT_G2)
     belief.read(wire.once, wire)
     return wire, belief
 
@@ -105,22 +105,22 @@ def test_angles_that_never_fit_together_are_garbage(rested):
 
 
 def test_across_north_is_no_jump():
-    wire, belief = Wire((359.99, 40.0), (0.01, 40.0), (359.98, 40.0)), Belief(CARRYOUT_G2)
+    wire, belief = Wire((359.99, 40.0), (0.01, 40.0), (359.98, 40.0)), ReadingFilter(CARRYOUT_G2)
     belief.read(wire.once, wire)
     assert belief.read(wire.once, wire) == Position(359.98, 40.0)
     assert wire.asked == 3
 
 
 def test_a_dish_whose_time_is_scaled_turns_further_between_two_readings():
-    wire, belief = Wire((10.0, 30.0), (20.0, 30.0), (30.0, 30.0)), Belief(CARRYOUT_G2)
+    wire, belief = Wire((10.0, 30.0), (20.0, 30.0), (30.0, 30.0)), ReadingFilter(CARRYOUT_G2)
     wire.rate = 20.0
     assert belief.read(wire.once, wire) == Position(30.0, 30.0)
 
 
 def foreseen(*azimuths):
     """Return what a motion says of which only the azimuth moves."""
-    spans = tuple(Span(azimuth, azimuth, 0.0) for azimuth in azimuths)
-    still = (Span(36.29, 36.29, 0.0),)
+    spans = tuple(AngleSpan(azimuth, azimuth, 0.0) for azimuth in azimuths)
+    still = (AngleSpan(36.29, 36.29, 0.0),)
     return lambda _last, _at, _now: Expected("it", (spans, still))
 
 

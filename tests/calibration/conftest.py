@@ -17,7 +17,7 @@ from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 AFTERNOON = datetime(2026, 3, 20, 20, 30, 0, tzinfo=UTC)

@@ -12,7 +12,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.config.sections import AlignmentSettings
 from birdcage.base.geometry import separation
 from birdcage.calibration.fit import fit
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import OFFSETS_ONLY, TERMS, WITH_TILT, priors_of
 from birdcage.sky.geostationary import look_angle
 
@@ -35,13 +35,13 @@ def stand(rng: random.Random) -> Alignment:
     return Alignment(rng.gauss(0, 1.5), rng.gauss(0, 0.8), rng.gauss(0, 0.3), rng.gauss(0, 0.9), rng.gauss(0, 0.9))
 
 
-def peaks(alignment: Alignment, directions: list[tuple[float, float]], rng: random.Random | None) -> list[Peak]:
+def peaks(alignment: Alignment, directions: list[tuple[float, float]], rng: random.Random | None) -> list[MeasuredPeak]:
     """What would be measured on them."""
     found = []
     for az, el in directions:
         right, up = (rng.gauss(0, NOISE_DEG), rng.gauss(0, NOISE_DEG)) if rng else (0.0, 0.0)
         dish = alignment.to_dish(az + right / math.cos(math.radians(el)), el + up)
-        found.append(Peak(NOON, "x", az, el, *dish, sigma_deg=NOISE_DEG))
+        found.append(MeasuredPeak(NOON, "x", az, el, *dish, sigma_deg=NOISE_DEG))
     return found
 
 
@@ -157,10 +157,10 @@ def test_a_short_stretch_of_the_arc_is_warned_of() -> None:
 def test_a_weak_peak_counts_less() -> None:
     true = Alignment(5.0, 0.0)
     good = peaks(true, arc(4), None)
-    wrong = Peak(NOON, "Moon", 180.0, 40.0, 172.0, 40.0, sigma_deg=3.0)
+    wrong = MeasuredPeak(NOON, "Moon", 180.0, 40.0, 172.0, 40.0, sigma_deg=3.0)
     taken = fit([*good, wrong], priors_of(NOTHING, good), Alignment())
     assert sky_error(true, taken.alignment) < 0.1
-    trusted = Peak(NOON, "Moon", 180.0, 40.0, 172.0, 40.0, sigma_deg=0.1)
+    trusted = MeasuredPeak(NOON, "Moon", 180.0, 40.0, 172.0, 40.0, sigma_deg=0.1)
     assert sky_error(true, fit([*good, trusted], priors_of(NOTHING, good), Alignment()).alignment) > 0.3
 
 
@@ -168,6 +168,6 @@ def test_the_peak_that_contradicts_the_others_is_named() -> None:
     true = Alignment(25.0, 0.0, 0.1, 0.5, 0.2)
     found = peaks(true, arc(6), random.Random(2))
     assert "agree" not in fit(found, priors_of(NOTHING, found), Alignment()).warning
-    wrong = Peak(NOON, "Sun", 150.0, 45.0, 0.0, 45.0, sigma_deg=NOISE_DEG, number=7)
+    wrong = MeasuredPeak(NOON, "Sun", 150.0, 45.0, 0.0, 45.0, sigma_deg=NOISE_DEG, number=7)
     told = fit([*found[:3], wrong, *found[3:]], priors_of(NOTHING, found), Alignment())
     assert told.warning.startswith("Peak 7 (Sun) disagrees")

@@ -9,10 +9,10 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import FeedProfile
 from birdcage.base.config.feeds import STOCK_FEED
 from birdcage.base.config.sections import AlignmentSettings
-from birdcage.calibration.candidates import Candidate, candidates
+from birdcage.calibration.candidates import CalibrationObject, candidates
 from birdcage.calibration.fit import fit
 from birdcage.calibration.next_best import enough, rank, sky_error_deg
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import priors_of
 from birdcage.sky.observer import Observer
 from birdcage.sky.targets.model import Fixed
@@ -23,11 +23,11 @@ REACH = (18.0, 65.0)
 
 
 def at(az, el, sigma=0.1):
-    return Candidate(Fixed(f"{az:.0f}/{el:.0f}", az, el), az, el, sigma, None)
+    return CalibrationObject(Fixed(f"{az:.0f}/{el:.0f}", az, el), az, el, sigma, None)
 
 
 def peak(az, el, sigma=0.1):
-    return Peak(WHEN, "x", az, el, az, el, sigma)
+    return MeasuredPeak(WHEN, "x", az, el, az, el, sigma)
 
 
 def order(found, peaks):

@@ -8,13 +8,13 @@ from datetime import UTC, datetime
 import pytest
 from birdcage.base.beam import Beam
 from birdcage.base.errors import StoreError
-from birdcage.calibration.peak import UNKNOWN_SIGMA_DEG, Peak, sigma_by_hand
+from birdcage.calibration.peak import UNKNOWN_SIGMA_DEG, MeasuredPeak, sigma_by_hand
 from birdcage.calibration.peaks_file import add_peak, load_peaks, remove_peaks
 
 WHEN = datetime(2026, 3, 20, 18, 30, 0, 250000, tzinfo=UTC)
 ROUND = Beam(6.3, 6.3)
-SUN = Peak(WHEN, "Sun", 180.5, 44.25, 155.0, 44.0, 0.1, "hand", 2.5)
-SLOT = Peak(WHEN, "101°W SES 1", 188.0, 44.0, 163.0, 43.8, 0.14, "rssi")
+SUN = MeasuredPeak(WHEN, "Sun", 180.5, 44.25, 155.0, 44.0, 0.1, "hand", 2.5)
+SLOT = MeasuredPeak(WHEN, "101°W SES 1", 188.0, 44.0, 163.0, 43.8, 0.14, "rssi")
 
 
 def test_a_strong_source_is_found_well_and_a_faint_one_hardly():
@@ -27,7 +27,7 @@ def test_a_strong_source_is_found_well_and_a_faint_one_hardly():
 
 
 def test_off_is_on_the_sky():
-    high = Peak(WHEN, "x", 1.0, 60.0, 0.0, 60.0, 0.1)
+    high = MeasuredPeak(WHEN, "x", 1.0, 60.0, 0.0, 60.0, 0.1)
     assert high.off(359.0, 59.5) == (pytest.approx(1.0), pytest.approx(0.5))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.calibration.guide import Guide
 from birdcage.sky.targets.model import Fixed
-from birdcage.station.pursuit import Phase, PursuitOptions
+from birdcage.station.pursuit_state import Phase, PursuitOptions
 from birdcage.station.requests import Pursue
 
 from tests.station.pursuit_bench import plan_of

@@ -13,9 +13,9 @@ from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
 from birdcage.station.build import open_session
-from birdcage.station.doorbell import Doorbell
-from birdcage.station.ring import find_owners, owners_folder
-from birdcage.station.state import Link
+from birdcage.station.control_client import find_owners, owners_folder
+from birdcage.station.control_server import ControlServer
+from birdcage.station.state import LinkPhase
 from click.testing import CliRunner
 from pty_dish import PtyDish
 
@@ -96,10 +96,12 @@ def owner(pty_dish):
     session = open_session(
         port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
     )
-    doorbell = Doorbell(session.station, owners_folder(paths))
+    control_server = ControlServer(session.station, owners_folder(paths))
     session.start()
     # Other programs find it once it is announced, a little after the link is up.
-    pty_dish.wait_for(lambda _truth: session.station.state.link.state is Link.UP and find_owners(owners_folder(paths)))
+    pty_dish.wait_for(
+        lambda _truth: session.station.state.link.state is LinkPhase.UP and find_owners(owners_folder(paths))
+    )
     yield session
     session.close()
-    doorbell.close()
+    control_server.close()

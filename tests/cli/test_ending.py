@@ -7,7 +7,7 @@ import signal
 import time
 
 import pytest
-from birdcage.cli.commands.move import Shown
+from birdcage.cli.commands.move import MoveShown
 from birdcage.station.mover import Mover
 from pty_terminal import PtyTerminal
 
@@ -61,7 +61,7 @@ def test_a_fault_of_ours_stops_the_dish_too(run, pty_dish, monkeypatch) -> None:
         if pty_dish.device.truth().moving:
             raise RuntimeError("a fault for the test")
 
-    monkeypatch.setattr(Shown, "__call__", fail)
+    monkeypatch.setattr(MoveShown, "__call__", fail)
     result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
     assert result.exit_code == 70
     assert "a fault for the test" in result.stderr
@@ -102,7 +102,7 @@ def test_a_lost_cable_in_mid_move_is_a_link_error(run, pty_dish, monkeypatch) ->
         if pty_dish.device.truth().moving:
             pty_dish.unplug()
 
-    monkeypatch.setattr(Shown, "__call__", pull)
+    monkeypatch.setattr(MoveShown, "__call__", pull)
     result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
     assert result.exit_code == 3
     assert "Traceback" not in result.stderr

@@ -12,8 +12,8 @@ from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
 from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.rotator.feature import Feature, Kind, Reading, Writer
-from birdcage.station import ring
+from birdcage.rotator.feature import Feature, FeatureKind, Reading, Writer
+from birdcage.station import control_client
 
 
 @pytest.fixture(autouse=True)
@@ -163,7 +163,7 @@ def test_what_that_program_refuses_is_said_with_its_own_code(run, pty_dish, owne
 
 
 def test_a_program_that_has_not_met_its_dish_lists_nothing(run, pty_dish, owner):
-    owner.station._board.change(dish=None)
+    owner.station._store.change(dish=None)
     for words in (("features",), ("set", "speed.azimuth", "5")):
         result = run(*words, port=pty_dish.path)
         assert (result.exit_code, result.stdout) == (3, "")
@@ -171,7 +171,7 @@ def test_a_program_that_has_not_met_its_dish_lists_nothing(run, pty_dish, owner)
 
 
 def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, owner, monkeypatch):
-    asked = ring.ring
+    asked = control_client.call_owner
 
     def interrupted(owner, do, by, **more):
         told = asked(owner, do, by, **more)
@@ -179,7 +179,7 @@ def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, own
             raise KeyboardInterrupt
         return told
 
-    monkeypatch.setattr(ring, "ring", interrupted)
+    monkeypatch.setattr(control_client, "call_owner", interrupted)
     result = run("set", "speed.elevation", "5", port=pty_dish.path)
     assert (result.exit_code, result.stderr) == (130, "Whether speed.elevation was set is not known.\n")
     assert owner.station.state.readings["speed.elevation"].value == pytest.approx(5.0, abs=0.02)
@@ -187,7 +187,7 @@ def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, own
 
 def test_what_can_only_be_set_is_shown_as_that(run, monkeypatch):
     """The dish has taken it, and can't be asked again."""
-    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    lamp = Feature("lamp", "Lamp", kind=FeatureKind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
     model = replace(CARRYOUT_G2, features={**CARRYOUT_G2.features, "lamp": lamp})
     monkeypatch.setattr(CarryoutG2Protocol, "model", model)
     monkeypatch.setattr(MenuRotator, "write", lambda dish, _id, on: Reading(on, "", 0.0, dish.clock.utc()))

@@ -9,7 +9,7 @@ import pytest
 from birdcage.base.paths import Paths
 from birdcage.pursuit.hooks import HookLine
 from birdcage.pursuit.pass_log import PassLog
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from tests.pursuit import pass_events
 from tests.pursuit.pass_events import at, plan

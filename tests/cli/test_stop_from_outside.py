@@ -11,9 +11,9 @@ from pathlib import Path
 
 from birdcage.base.errors import Held
 from birdcage.base.paths import Paths
-from birdcage.station import ring
+from birdcage.station import control_client
+from birdcage.station.control_client import owners_folder
 from birdcage.station.requests import Goto
-from birdcage.station.ring import owners_folder
 
 
 def announced() -> list[Path]:
@@ -58,13 +58,13 @@ def test_stop_without_a_port_reaches_every_owner(run, pty_dish, owner) -> None:
 
 
 def test_who_waits_no_longer_for_a_stop_is_not_told_that_nothing_was_done(run, pty_dish, owner, monkeypatch) -> None:
-    asked = ring.ring
+    asked = control_client.call_owner
 
     def interrupted(*given):
         asked(*given)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(ring, "ring", interrupted)
+    monkeypatch.setattr(control_client, "call_owner", interrupted)
     result = run("stop", port=pty_dish.path)
     assert result.exit_code == 130
     assert re.fullmatch(

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
-from birdcage.base.clock import Endpoint, Outcome, VirtualClock
+from birdcage.base.clock import Endpoint, VirtualClock, WaitOutcome
 from birdcage.base.errors import BirdcageError, Cancelled
 from birdcage.base.wake import Wake
 from birdcage.console.dialect import ConsoleDialect
@@ -43,7 +43,7 @@ class NudgingClock(VirtualClock):
         self.wake = Wake()
         self.countdown = 0
 
-    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:
+    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> WaitOutcome:
         if self.countdown:
             self.countdown -= 1
             if not self.countdown:

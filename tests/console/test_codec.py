@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.console.codec import LONGEST_LINE, Codec
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.events import Line, Reply, Stray, StrayPrompt
+from birdcage.console.events import Reply, ReplyLine, Stray, StrayPrompt
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -71,7 +71,7 @@ def test_a_prompt_before_the_echo_is_stale():
     codec.expect("a")
     assert codec.feed(b"TRK>a\r\n1\r\nMOT>") == [
         StrayPrompt("root"),
-        Line("1", 1),
+        ReplyLine("1", 1),
         Reply("a", ("1",), "mot", "MOT>", 1),
     ]
 

@@ -6,7 +6,7 @@ import sys
 from dataclasses import replace
 
 import pytest
-from birdcage.console.places import Places, commands
+from birdcage.console.places import MenuPlaces, commands
 
 bench = sys.modules["console_bench"]
 ROOT = ("motor", "ngsearch", "nvs", "reboot", "stow", "q")
@@ -15,7 +15,7 @@ MOTOR = ("a [<motor> <angle>]", "g <az> <el> <sk>", "q")
 
 @pytest.fixture
 def places():
-    return Places(bench.HAL)
+    return MenuPlaces(bench.HAL)
 
 
 @pytest.mark.parametrize(
@@ -113,7 +113,7 @@ def test_a_letter_that_noise_cut_off_the_roots_help_hides_no_submenu(places):
 
 def test_the_root_of_another_firmware_is_no_submenu_however_often_it_shows():
     """A `q` would go out from a submenu: at this root it may end the shell."""
-    places = Places(replace(bench.HAL, stranger_marks=frozenset({"mot"})))
+    places = MenuPlaces(replace(bench.HAL, stranger_marks=frozenset({"mot"})))
     other = ("Enter <mot> - motors", "Enter <dvb> - tuner", "Enter <eeprom> - table", "q")
     assert places.judge(ROOT) == "root"
     assert [places.judge(other) for _ in range(3)] == [None, None, None]

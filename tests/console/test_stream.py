@@ -271,21 +271,21 @@ def only(through: str | None, fault):
 def steer(deeds, to_dish, to_host) -> Helm:
     clock, lanes = bench.NudgingClock(), (bench.Faults(to_dish), bench.Faults(to_host))
     dish = Dish(clock)
-    helm = Helm(dish, clock)
-    for lags, weather, nudge, deed in deeds:
-        through = {"no line": "", "a question": "a\r"}.get(weather)
+    guide = Helm(dish, clock)
+    for lags, fault_mix, nudge, deed in deeds:
+        through = {"no line": "", "a question": "a\r"}.get(fault_mix)
         dish.in_fault = only(through, lanes[0].scripted)
-        dish.out_fault = only("" if weather == "no answer" else None, lanes[1].scripted)
+        dish.out_fault = only("" if fault_mix == "no answer" else None, lanes[1].scripted)
         for lane, lag_s in zip(lanes, lags, strict=True):
             lane.lag_s = lag_s
-        helm.act(nudge, deed)
+        guide.act(nudge, deed)
         dish.pending()
         assert dish.alive, deed
     clock.advance(60.0)
     dish.pending()
     assert dish.alive
     clock.wake.close()
-    return helm
+    return guide
 
 
 drawn = given(DEEDS, bench.FAULTS, bench.FAULTS)
@@ -305,8 +305,8 @@ def test_no_answer_of_many_streams_is_taken_for_anothers(deeds, to_dish, to_host
 
 
 def test_a_stream_on_a_clear_line_is_answered():
-    helm = steer([((0.0, 0.0), "", None, deed) for deed in ["steer", "steer", "glance", "steer", "glance"]], [], [])
-    assert (helm.answered, helm.read) == (3, 2)
+    guide = steer([((0.0, 0.0), "", None, deed) for deed in ["steer", "steer", "glance", "steer", "glance"]], [], [])
+    assert (guide.answered, guide.read) == (3, 2)
 
 
 def test_a_slow_answer_is_waited_for_where_the_stream_ends(dish, steering, clock):

@@ -7,7 +7,7 @@ from birdcage.sim.port import FIRMWARE
 
 from .dish_faults import DISH_FAULTS
 from .fault import DIALECTS, Fault
-from .ordeal import Ordeal
+from .fault_run import Ordeal
 from .outcome import Outcome
 from .wire_faults import WIRE_FAULTS
 

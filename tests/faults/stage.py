@@ -13,7 +13,7 @@ from birdcage.station.build import _finder
 from birdcage.station.requests import Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 from .witness import Witness

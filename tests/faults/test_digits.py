@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.antenna.belief import JITTER_S
+from birdcage.antenna.reading_filter import JITTER_S
 from birdcage.station.requests import Follow, Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from . import witness
 from .stage import Stage
@@ -86,4 +86,4 @@ def test_an_angle_that_no_dish_has_is_not_shown_however_often_it_is_read():
     shell.say = lambda text: say(text.replace("= 210.", "= 2100."))
     stage.step(5.0)
     assert stage.witness.false == []
-    assert (stage.state.link.state, stage.state.position_lost) == (Link.UP, "unreadable")
+    assert (stage.state.link.state, stage.state.position_lost) == (LinkPhase.UP, "unreadable")

@@ -31,7 +31,7 @@ WITH_ARRAYS = (
     "birdcage.sky.sun_crossing",
     "birdcage.sky.sun_vectors",
     "birdcage.sky.search_worker",
-    "birdcage.sky.watch_hunt",
+    "birdcage.sky.pass_search_job",
     "birdcage.tracking.",
 )
 """Where whole catalogues are computed. Whoever uses them imports them inside a function: see the test below."""

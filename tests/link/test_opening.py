@@ -4,7 +4,7 @@ import socket
 import threading
 
 import pytest
-from birdcage.base.clock import Outcome, RealClock, VirtualClock
+from birdcage.base.clock import RealClock, VirtualClock, WaitOutcome
 from birdcage.base.errors import LinkError
 from birdcage.link.opening import has_speed, open_link
 
@@ -121,13 +121,13 @@ def test_socket_reads_from_the_first_byte_and_notices_the_end(server):
     thread.join()
     (peer,) = opened
     peer.sendall(b"Boot\r\n")
-    assert clock.wait(link, clock.monotonic() + 2) is Outcome.READY
+    assert clock.wait(link, clock.monotonic() + 2) is WaitOutcome.READY
     assert link.read() == b"Boot\r\n"
     assert link.fileno() is not None
     link.write(b"mot\r")
     assert peer.recv(100) == b"mot\r"
     peer.close()
-    assert clock.wait(link, clock.monotonic() + 2) is Outcome.READY
+    assert clock.wait(link, clock.monotonic() + 2) is WaitOutcome.READY
     with pytest.raises(LinkError) as lost:
         link.read()
     assert lost.value.reason == "lost"
@@ -164,7 +164,7 @@ def test_loop_reads_back_its_own_bytes():
     assert link.fileno() is None
     assert not link.pending()
     link.write(b"hello")
-    assert clock.wait(link, clock.monotonic() + 1) is Outcome.READY
+    assert clock.wait(link, clock.monotonic() + 1) is WaitOutcome.READY
     assert link.read() == b"hello"
     link.close()
     with pytest.raises(LinkError, match="closed by this program"):

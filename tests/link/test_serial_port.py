@@ -10,7 +10,7 @@ import time
 import tty
 
 import pytest
-from birdcage.base.clock import Outcome, RealClock
+from birdcage.base.clock import RealClock, WaitOutcome
 from birdcage.base.errors import LinkError
 from birdcage.link.opening import open_link
 
@@ -37,7 +37,7 @@ def pty():
 
 
 def read_within(link, clock, timeout_s=60.0):
-    assert clock.wait(link, clock.monotonic() + timeout_s) is Outcome.READY
+    assert clock.wait(link, clock.monotonic() + timeout_s) is WaitOutcome.READY
     return link.read()
 
 
@@ -167,7 +167,7 @@ def test_discard_throws_away_what_was_not_read(pty):
     clock = RealClock()
     link = open_link(pty.path, baud=57600, clock=clock)
     os.write(pty.master, b"old")
-    assert clock.wait(link, clock.monotonic() + 2) is Outcome.READY
+    assert clock.wait(link, clock.monotonic() + 2) is WaitOutcome.READY
     link.discard()
     assert link.read() == b""
     link.close()

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 import pytest
 from birdcage.link.transcript import Transcript
 from birdcage.link.transcript_file import TranscriptFiles
-from birdcage.link.transcript_line import Entry, Header, escape, format_line, parse_line, unescape
+from birdcage.link.transcript_line import Header, TranscriptEntry, escape, format_line, parse_line, unescape
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -20,12 +20,12 @@ def stamps():
 
 @given(stamps(), st.sampled_from("<>#"), st.binary())
 def test_a_line_gives_its_bytes_back(utc, direction, data):
-    line = format_line(Entry(utc, direction, data))
+    line = format_line(TranscriptEntry(utc, direction, data))
     assert line.isascii()
     assert line.isprintable()
     assert not data or not line.endswith(" ")
     kept = utc.replace(microsecond=utc.microsecond // 1000 * 1000)
-    assert parse_line(line + "\n") == Entry(kept, direction, data)
+    assert parse_line(line + "\n") == TranscriptEntry(kept, direction, data)
 
 
 @given(st.text(alphabet=r"\xrnt019af \ü"))
@@ -38,8 +38,8 @@ def test_only_what_escape_writes_is_read(text):
 
 
 def test_people_can_read_it():
-    assert format_line(Entry(NOON, ">", b"a 0 180\r")) == r"2026-03-20T12:00:00.123Z > a 0 180\r"
-    assert format_line(Entry(NOON, "<", b"\x00\xff\\ \r\n")) == r"2026-03-20T12:00:00.123Z < \x00\xff\\ \r\n"
+    assert format_line(TranscriptEntry(NOON, ">", b"a 0 180\r")) == r"2026-03-20T12:00:00.123Z > a 0 180\r"
+    assert format_line(TranscriptEntry(NOON, "<", b"\x00\xff\\ \r\n")) == r"2026-03-20T12:00:00.123Z < \x00\xff\\ \r\n"
 
 
 @pytest.mark.parametrize("line", ["", "hello", "2026-03-20T12:00:00.123Z ? x", "2026-03-20T12:00:00.123Z > \\q"])
@@ -57,7 +57,7 @@ def test_files_hold_the_same_bytes_in_the_same_order(tmp_path_factory, parts):
     files = TranscriptFiles(folder)
     files.write([Header(NOON, "#", b"birdcage")], 0)
     for direction, data in parts:
-        files.write([Entry(NOON, direction, data)], 0)
+        files.write([TranscriptEntry(NOON, direction, data)], 0)
     files.write([], 0)
     files.close()
     entries = [parse_line(line) for path in folder.glob("*") for line in path.read_text().splitlines()]
@@ -144,8 +144,8 @@ def test_files_rotate_each_with_its_header_and_the_oldest_go(tmp_path):
 
 def test_events_that_do_not_fit_are_counted(tmp_path):
     files = TranscriptFiles(tmp_path)
-    files.write([Header(NOON, "#", b"head"), Entry(NOON, "<", b"a\n")], 0)
-    files.write([Entry(NOON, "<", b"z\n")], 3)
+    files.write([Header(NOON, "#", b"head"), TranscriptEntry(NOON, "<", b"a\n")], 0)
+    files.write([TranscriptEntry(NOON, "<", b"z\n")], 3)
     files.close()
     lines = [line[25:] for line in files.path.read_text().splitlines()]
     assert lines == ["# head", r"< a\n", "# 3 events are missing here: the disk was too slow", r"< z\n"]

@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 
 import pytest
 from birdcage.link.transcript_join import LineJoiner
-from birdcage.link.transcript_line import Entry
+from birdcage.link.transcript_line import TranscriptEntry
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -18,7 +18,7 @@ STREAM = st.lists(st.sampled_from([b"AZ1", b"\r", b"\n", b"\r\n", b"EL45", b"\xf
 def joined(direction, *chunks):
     joiner, lines = LineJoiner(), []
     for chunk in chunks:
-        lines += joiner.join(Entry(UTC_NOW, direction, chunk))
+        lines += joiner.join(TranscriptEntry(UTC_NOW, direction, chunk))
     return [entry.data for entry in [*lines, *joiner.finish()]]
 
 

@@ -11,7 +11,7 @@ from birdcage.console.session import Console
 from birdcage.link.link import Link
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import BAUD, DIALECT, NVS, TARGET
-from birdcage.protocol.carryout.going import Answer, ceiling_of, go_line, judge_go, refusal_of
+from birdcage.protocol.carryout.going import GotoAnswer, ceiling_of, go_line, judge_go, refusal_of
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.records import LiveRecord, RecordReader
 from birdcage.protocol.hal.dialect import DIALECT as TRAVLER
@@ -49,7 +49,7 @@ def test_a_go_to_arrives_whatever_the_console_is_like(options):
     lines = dish.go(200.0, 50.0)
     dish.rest()
     answer, last = judge_go((*lines, *dish.unasked))
-    assert (answer, last) == (Answer.MOVING, LiveRecord(200.0, 50.0))
+    assert (answer, last) == (GotoAnswer.MOVING, LiveRecord(200.0, 50.0))
     truth = dish.device.truth()
     assert (truth.az_deg, truth.el_deg, truth.shell_alive) == (200.0, 50.0, True)
 
@@ -73,14 +73,14 @@ def test_a_refusal_in_words_that_are_known_is_one():
 @pytest.mark.parametrize("text", ["", "NO GO", "lim"])
 def test_a_refusal_in_other_words_is_never_taken_for_a_motion(text):
     dish = Session(f"refusal_text={text}")
-    assert judge_go(dish.go(180.0, 80.0)) == (Answer.NOTHING, None)
+    assert judge_go(dish.go(180.0, 80.0)) == (GotoAnswer.NOTHING, None)
 
 
 def test_what_the_lines_of_an_answer_tell():
     moving = "az = 17000   el = 4000"
-    assert judge_go([]) == (Answer.NOTHING, None)
-    assert judge_go(["hello", moving, "az = 17500   el = 4100"]) == (Answer.MOVING, LiveRecord(175.0, 41.0))
-    assert judge_go([moving, "Motors busy."]) == (Answer.REFUSED, LiveRecord(170.0, 40.0))
+    assert judge_go([]) == (GotoAnswer.NOTHING, None)
+    assert judge_go(["hello", moving, "az = 17500   el = 4100"]) == (GotoAnswer.MOVING, LiveRecord(175.0, 41.0))
+    assert judge_go([moving, "Motors busy."]) == (GotoAnswer.REFUSED, LiveRecord(170.0, 40.0))
     assert refusal_of("Target out of range.") == "bad_parameter"
     assert refusal_of("Unknown command") == "unknown_command"
     assert refusal_of("Not calibrated.") == "failed"

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.g2.motor_values import ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
+from birdcage.protocol.g2.motor_values import ElevationLimits, Gains, MotorEntry, MotorSpeeds, StepCounts
 from birdcage.protocol.g2.peak import PolarisedRssi
-from birdcage.protocol.g2.pins import Dipswitch
+from birdcage.protocol.g2.pins import DipSwitches
 from birdcage.protocol.g2.reading import PerAxis
 from birdcage.protocol.g2.scan import ScanPoint, parse_scan_point
 
@@ -29,7 +29,7 @@ VALUES = [
     ("adc", "rssi", "RSSI: 235 (12 bits)", lambda g: g.adc.rssi_counts(), 235),
     (
         "dipswitch", "dipswitch", "val:ffffff01\napp_dipswitch:101",
-        lambda g: g.dipswitch.read(), Dipswitch(0xFFFFFF01, 101),
+        lambda g: g.dipswitch.read(), DipSwitches(0xFFFFFF01, 101),
     ),
     ("eeprom", "ee 3", "Index:3 Read value = 0", lambda g: g.eeprom.read(3), 0),
     ("eeprom", "ee 3", "Failed to read eeprom index:3 val:65793", lambda g: g.eeprom.read(3), None),
@@ -59,10 +59,10 @@ VALUES = [
     ),
     (
         "mot", "mv", "Max Vel [0] = 65.00 / Max Vel [1] = 45.00",
-        lambda g: g.motors.max_velocities(), Speeds(65.0, 45.0),
+        lambda g: g.motors.max_velocities(), MotorSpeeds(65.0, 45.0),
     ),
-    ("mot", "v", "Velocity[0] = 0.00\nVelocity[1] = -3.50", lambda g: g.motors.velocities(), Speeds(0.0, -3.5)),
-    ("mot", "v", "Velocity[0] = 0\nVelocity[1] = 3", lambda g: g.motors.velocities(), Speeds(None, None)),
+    ("mot", "v", "Velocity[0] = 0.00\nVelocity[1] = -3.50", lambda g: g.motors.velocities(), MotorSpeeds(0.0, -3.5)),
+    ("mot", "v", "Velocity[0] = 0\nVelocity[1] = 3", lambda g: g.motors.velocities(), MotorSpeeds(None, None)),
     ("mot", "p", "Pos[0] = -20000\nPos[1] = 2147483647", lambda g: g.motors.steps(), StepCounts(-20000, None)),
     (
         "mot", "l", "0=AZIMUTH 1=ELEVATION", lambda g: g.motors.list(),
@@ -140,7 +140,7 @@ def test_noise_in_a_reply_brings_no_wrong_value(ask, menu, line, answer, questio
         elif isinstance(value, tuple):
             assert {gain.kp for gain in found} <= {gain.kp for gain in value}
             assert {gain.kv for gain in found} <= {gain.kv for gain in value}
-        elif isinstance(value, Speeds):
+        elif isinstance(value, MotorSpeeds):
             assert found.az_deg_s in (value.az_deg_s, None)
             assert found.el_deg_s in (value.el_deg_s, None)
         else:

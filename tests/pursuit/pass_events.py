@@ -9,11 +9,11 @@ from datetime import UTC, datetime, timedelta
 import numpy as np
 from birdcage.base.clock import RealClock
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach, Stretch
+from birdcage.sky.reach_model import PassReach, Stretch
 from birdcage.station.events import Followed, PursuitChanged, ReadingRead
-from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
+from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit, PursuitOptions
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.plan import Aim, Forecast, Plan
+from birdcage.tracking.plan import Forecast, Plan, PlanTarget
 
 START = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
@@ -37,8 +37,8 @@ def plan(name="ISS (ZARYA)", number=25544, passing=True, time_offset_s=0.0, star
     times = np.array([START.timestamp() + start, START.timestamp() + start + 400.0])
     curve = Curve(times, np.array([10.0, 170.0]), np.array([18.0, 18.0]))
     forecast = Forecast(times, np.array([0.01, 0.02]), None, 0.015, 0.02)
-    reach = Reach((Stretch(at(start), at(start + 400)),), (), 61.5)
-    aim = Aim(name, "satellite" if passing else "body", number, 1.7e9, time_offset_s)
+    reach = PassReach((Stretch(at(start), at(start + 400)),), (), 61.5)
+    aim = PlanTarget(name, "satellite" if passing else "body", number, 1.7e9, time_offset_s)
     return Plan(aim, at(-600), one if passing else None, reach, curve, curve, (), None, (), forecast, ())
 
 
@@ -57,7 +57,7 @@ class Story:
         self.tell(PursuitChanged(seconds, at(seconds), self.pursuit))
 
     def look(self, seconds, error=0.01, loss=0.1, number=None):
-        sample = Sample(
+        sample = PointingSample(
             seconds, at(seconds), 100.0, 40.0, 100.0, 40.0, 100.1, 40.0, 100.0 + error, 40.0, error, loss, error
         )
         self.tell(Followed(seconds, at(seconds), number or self.pursuit.number, sample))

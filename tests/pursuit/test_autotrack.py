@@ -11,7 +11,7 @@ from birdcage.base.config.tracking_sections import AutotrackSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
 from birdcage.station.events import PursuitChanged
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
 
 RULES = Settings(

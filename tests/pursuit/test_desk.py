@@ -12,7 +12,7 @@ from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
 from birdcage.station.mounting import mount_of
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, ReleaseLease
 
 STATION = "DEMO LEO 2 station"
@@ -260,7 +260,7 @@ def test_what_is_followed_goes_on_though_something_else_is_looked_at(bench):
 
 
 def test_what_does_not_pass_is_carried_on_hour_after_hour(bench, monkeypatch):
-    monkeypatch.setattr("birdcage.pursuit.choice.RENEW_S", 60.0)
+    monkeypatch.setattr("birdcage.pursuit.chosen_target.RENEW_S", 60.0)
     bench.desk.choose("az 30 el 55")
     bench.desk.follow()
     bench.do()

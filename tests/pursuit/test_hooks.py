@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config.tracking_sections import HookSettings
-from birdcage.pursuit.hooks import Hooks
+from birdcage.pursuit.hooks import PassHooks
 from birdcage.pursuit.pass_facts import PassFacts
 from birdcage.sky.downlinks import load_downlinks
 
@@ -58,7 +58,7 @@ class Stage:
     def __init__(self, grace_s=5.0, **settings):
         self.clock = VirtualClock(NOON)
         self.said = []
-        self.hooks = Hooks(HookSettings(**settings), self.said.append, self.clock, grace_s=grace_s)
+        self.hooks = PassHooks(HookSettings(**settings), self.said.append, self.clock, grace_s=grace_s)
 
     @property
     def texts(self):

@@ -15,7 +15,7 @@ from birdcage.base.store import open_database
 from birdcage.pursuit.hooks import HookLine
 from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of, worst_moments
 from birdcage.pursuit.pass_log import PassLog
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from . import pass_events
 from .pass_events import Story, at, plan, rows_of
@@ -92,7 +92,7 @@ spec.loader.exec_module(events)
 from pathlib import Path
 from birdcage.base.paths import Paths
 from birdcage.pursuit.pass_log import PassLog
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 paths = Paths.in_folder(Path(sys.argv[2]))
 log = PassLog(paths.journal, paths.passes)
 story = events.Story(log)

@@ -8,7 +8,7 @@ import pytest
 from birdcage.base.paths import Paths
 from birdcage.pursuit.pass_book import list_passes, read_samples
 from birdcage.pursuit.pass_log import PassLog, keep_passes
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from tests.station.pursuit_bench import PARK, at, g2, plan_of
 

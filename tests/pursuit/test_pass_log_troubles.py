@@ -8,7 +8,7 @@ import os
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
 from birdcage.pursuit.pass_book import list_passes, read_samples
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from .pass_events import at, rows_of
 

@@ -15,7 +15,7 @@ from birdcage.base.config.feeds import FeedSettings
 from birdcage.base.config.tracking_sections import HookSettings
 from birdcage.pursuit.pass_facts import PassFacts
 from birdcage.sky.downlinks import shipped
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from .conftest import SHORT
 from .pass_events import wait_for

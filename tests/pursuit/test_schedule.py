@@ -6,9 +6,9 @@ from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 from birdcage.base.config.tracking_sections import AutotrackSettings
-from birdcage.pursuit.schedule import Candidate, Direction, Kept, schedule
+from birdcage.pursuit.schedule import Direction, KeptPass, ScheduleCandidate, schedule
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.sky.reach_model import Lost, PassReach, Stretch
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 RULES = AutotrackSettings(min_elevation_deg=10.0, min_duration_s=120.0, hysteresis_s=60.0, hours=24.0)
@@ -29,8 +29,8 @@ def one(name, start, end, priority=0, top=50.0, number=None, gap=None):
         off = ((moment - NOW).total_seconds() - middle) / half
         return Direction(90.0 + 90.0 * off, top - (top - 5.0) * off * off)
 
-    reach = Reach(tuple(Stretch(at(a), at(b)) for a, b in spans), (Lost(at(start - 60), at(start), "floor"),), top)
-    return Candidate(passing, reach, priority, where)
+    reach = PassReach(tuple(Stretch(at(a), at(b)) for a, b in spans), (Lost(at(start - 60), at(start), "floor"),), top)
+    return ScheduleCandidate(passing, reach, priority, where)
 
 
 def told(rows):
@@ -71,7 +71,7 @@ def test_too_low_and_too_short_say_so():
 
 
 def test_what_never_comes_within_reach_or_is_over_or_too_far_ahead_is_no_candidate():
-    never = replace(one("NEVER", 100, 500), reach=Reach((), (Lost(at(100), at(500), "floor"),), None))
+    never = replace(one("NEVER", 100, 500), reach=PassReach((), (Lost(at(100), at(500), "floor"),), None))
     assert schedule([never, one("OVER", -900, -300), one("FAR", 90_000, 90_600)], RULES, 20.0, NOW) == ()
 
 
@@ -138,7 +138,7 @@ def test_what_has_begun_is_joined_if_enough_is_left():
 
 
 def kept(name, passes, following, rules=RULES):
-    return Kept(next(row for row in schedule(passes, rules, 20.0, NOW) if row.name == name), following)
+    return KeptPass(next(row for row in schedule(passes, rules, 20.0, NOW) if row.name == name), following)
 
 
 def test_the_next_pass_is_not_dropped_for_one_that_is_hardly_better():
@@ -165,7 +165,7 @@ def test_a_higher_priority_pre_empts_the_next_pass_but_not_the_one_that_is_follo
 
 def test_the_followed_pass_stays_to_its_end_though_little_is_left():
     alone = one("A", -500, 60)
-    present = Kept(schedule([alone], RULES, 20.0, at(-300))[0], following=True)
+    present = KeptPass(schedule([alone], RULES, 20.0, at(-300))[0], following=True)
     assert told(schedule([alone], RULES, 20.0, NOW, present)) == [("A", True, "")]
     assert told(schedule([alone], RULES, 20.0, NOW))[0][1] is False
 

@@ -6,9 +6,9 @@ from datetime import UTC, datetime, timedelta
 from itertools import combinations, pairwise
 
 from birdcage.base.config.tracking_sections import AutotrackSettings
-from birdcage.pursuit.schedule import Candidate, Direction, Kept, schedule
+from birdcage.pursuit.schedule import Direction, KeptPass, ScheduleCandidate, schedule
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach, Stretch
+from birdcage.sky.reach_model import PassReach, Stretch
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -39,7 +39,9 @@ def candidate(number, start, length, priority, top, turned=0.0, gap=None):
 
     inside = [min(max(passing.tca, at(a)), at(b)) for a, b in spans]
     best = max(where(moment).el_deg for moment in inside)
-    return Candidate(passing, Reach(tuple(Stretch(at(a), at(b)) for a, b in spans), (), best), priority, where)
+    return ScheduleCandidate(
+        passing, PassReach(tuple(Stretch(at(a), at(b)) for a, b in spans), (), best), priority, where
+    )
 
 
 def passes(most=9, priorities=(0, 1, 2), gaps=True, starts=(-600, 6000)):
@@ -186,7 +188,7 @@ def test_the_next_pass_is_dropped_only_for_what_is_better_by_the_hysteresis(cand
         return
     number = data.draw(st.sampled_from(sorted(offered)))
     alone = schedule([one for one in candidates if one.passing.norad_id == number], RULES, 30.0, NOW)
-    rows = schedule(candidates, RULES, 30.0, NOW, Kept(alone[0], following=False))
+    rows = schedule(candidates, RULES, 30.0, NOW, KeptPass(alone[0], following=False))
     present = offered[number]
     others = [each for key, each in offered.items() if key != number]
     without = everything_tried(others, [], 30.0)
@@ -215,7 +217,7 @@ def test_catalogue_updates_that_shift_passes_by_seconds_change_nothing(updates, 
     for update in updates:
         rows = schedule(catalogue(*update), RULES, 30.0, NOW, present)
         (chosen,) = [row for row in rows if row.kept]
-        present = Kept(chosen, following=False)
+        present = KeptPass(chosen, following=False)
         names.add(chosen.name)
     assert len(names) == 1
 
@@ -226,7 +228,7 @@ def test_without_hysteresis_such_updates_do_change_the_choice():
         return next(row for row in schedule(passes, RULES, 30.0, NOW, present) if row.kept)
 
     assert (chosen(5).name, chosen(-5).name) == ("SAT 0", "SAT 1")
-    assert chosen(-5, Kept(chosen(5), following=False)).name == "SAT 0"
+    assert chosen(-5, KeptPass(chosen(5), following=False)).name == "SAT 0"
 
 
 def test_a_stretch_that_is_over_is_not_told_as_the_beginning_of_what_is_left():

@@ -6,8 +6,8 @@ import time
 
 import pytest
 from birdcage.radio.errors import RadioLost, RadioRefused
-from birdcage.radio.probe import Answers, ask_receiver
-from birdcage.radio.rigctl import Rig
+from birdcage.radio.probe import ReceiverAnswers, ask_receiver
+from birdcage.radio.rigctl import RigctlClient
 from birdcage.radio.wire import connector
 
 from .scripted import HANG_UP, SILENCE, sdr
@@ -19,7 +19,7 @@ def rig(server):
 
     def make(answer, reply_s=0.25):
         there = server(answer)
-        made.append(Rig(connector()("127.0.0.1", there.port, 1.0), time.monotonic, reply_s=reply_s))
+        made.append(RigctlClient(connector()("127.0.0.1", there.port, 1.0), time.monotonic, reply_s=reply_s))
         return made[-1], there
 
     yield make
@@ -129,7 +129,7 @@ def test_nothing_listens(server):
 
 def test_asking_once(server):
     assert ask_receiver(server(sdr()).address).frequency_hz == 100e6
-    assert ask_receiver(server(lambda _line: b"RPRT -11\n").address) == Answers(level_code=-11)
+    assert ask_receiver(server(lambda _line: b"RPRT -11\n").address) == ReceiverAnswers(level_code=-11)
     began = time.monotonic()
     with pytest.raises(RadioLost):
         ask_receiver(server(lambda _line: SILENCE).address, 0.2)
@@ -141,7 +141,7 @@ class TestHamlibItself:
 
     @pytest.fixture
     def radio(self, rigctld):
-        rig = Rig(connector()("127.0.0.1", rigctld, 1.0), time.monotonic)
+        rig = RigctlClient(connector()("127.0.0.1", rigctld, 1.0), time.monotonic)
         yield rig
         rig.close()
 
@@ -162,5 +162,5 @@ class TestHamlibItself:
     def test_takes_los_for_half_a_command(self, radio):
         """Why LOS is told only to whoever took AOS: it waits for a value, and the next command would be that."""
         with pytest.raises(RadioLost) as caught:
-            Rig(radio._wire, time.monotonic, reply_s=0.3).word("LOS")
+            RigctlClient(radio._wire, time.monotonic, reply_s=0.3).word("LOS")
         assert caught.value.reason == "silent"

@@ -10,8 +10,8 @@ from birdcage.base.config.tracking_sections import RadioSettings
 from birdcage.radio import probe
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.now import RadioState
-from birdcage.radio.probe import Answers, ask_receiver
-from birdcage.radio.rigctl import Rig
+from birdcage.radio.probe import ReceiverAnswers, ask_receiver
+from birdcage.radio.rigctl import RigctlClient
 from birdcage.radio.runner import ReceiverRunner
 from birdcage.radio.wire import connector
 
@@ -52,7 +52,7 @@ def in_pass(clock):
 
 
 def rig_at(server, reply_s=0.3):
-    return Rig(connector()("127.0.0.1", server.port, 1.0), time.monotonic, reply_s=reply_s)
+    return RigctlClient(connector()("127.0.0.1", server.port, 1.0), time.monotonic, reply_s=reply_s)
 
 
 def test_it_advertises_a_level_and_gives_none(in_pass):
@@ -118,7 +118,7 @@ def test_what_it_takes_apart_letter_by_letter_is_never_sent(listening):
 class TestAsked:
     def test_only_what_changes_nothing(self, listening):
         there = listening(armed=True)
-        assert ask_receiver(there.address) == Answers(
+        assert ask_receiver(there.address) == ReceiverAnswers(
             100e6, None, 1, ("FM", "WFM", "AM", "DSB", "USB", "CW", "LSB", "RAW")
         )
         assert there.heard == ["f", "l STRENGTH", "M ?"]

@@ -69,7 +69,7 @@ def test_with_doppler_wrong_by_more_than_the_passband_nothing_is_heard(address):
     assert set(heard.values()) == {-60.0}
 
 
-def test_beside_no_dish_it_hears_its_own_noise(address):
+def test_pass_services_no_dish_it_hears_its_own_noise(address):
     _, heard, _ = through(address[0].replace(f"dish={address[1]}", "dish=nobody"), "")
     assert set(heard.values()) == {-60.0}
 

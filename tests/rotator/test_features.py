@@ -9,8 +9,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import CommandRefused, OutOfRange
 from birdcage.link.link import Link
 from birdcage.rotator import machines
-from birdcage.rotator.feature import WELL_FORMED, Feature, Kind, Range, Writer
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.feature import WELL_FORMED, Feature, FeatureKind, Range, Writer
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 from birdcage.rotator.hooks import Hooks
 from birdcage.sim.port import SimPort, open_device
 
@@ -105,28 +105,30 @@ def test_what_a_machine_lacks_is_refused_with_nothing_sent(opened):
 
 def test_a_dish_that_only_ends_its_search_has_a_momentary_feature_for_it(opened):
     travler, received, _clock = opened("hal205", "hal205?seed=1")
-    assert travler.features["end_tv_search"].kind is Kind.MOMENTARY
+    assert travler.features["end_tv_search"].kind is FeatureKind.MOMENTARY
     assert travler.write("end_tv_search", True).value is True
     assert [line for line in received() if line.isalpha()][-4:] == ["ngsearch", "s", "q", "motor"]
     assert travler.read(["floor", "floor.search"])["floor"].unit == "deg"
 
 
 def test_two_features_of_one_name_are_no_table():
-    row = Row(Feature("one", "One"), lambda _dish: {"one": 1.0})
+    row = FeatureRow(Feature("one", "One"), lambda _dish: {"one": 1.0})
     with pytest.raises(ValueError, match="'one'"):
         FeatureTable(row, row)
 
 
 def test_a_limit_on_one_side_is_told_as_such():
-    low = Feature("level", "Level", "V", Kind.NUMBER, Range(2.0), Writer.AT_ONCE)
+    low = Feature("level", "Level", "V", FeatureKind.NUMBER, Range(2.0), Writer.AT_ONCE)
     with pytest.raises(OutOfRange, match=r"1 V is 1 V beyond its limit of 2 V. Nothing was sent. Give from 2 V"):
         low.check(1.0)
 
 
 @pytest.mark.parametrize(("row", "said"), [
-    (Row(Feature("lamp", "Lamp")), "has no `read`.*`told=False`"),
-    (Row(Feature("lamp", "Lamp", writer=Writer.UNTIL_RESTART), read=lambda _: {}), "both a `Writer` and a `write`"),
-    (Row(Feature("lamp", "Lamp"), read=lambda _: {}, write=lambda _, value: {}), "both a `Writer` and a `write`"),
+    (FeatureRow(Feature("lamp", "Lamp")), "has no `read`.*`told=False`"),
+    (FeatureRow(Feature("lamp", "Lamp", writer=Writer.UNTIL_RESTART), read=lambda _: {}),
+    "both a `Writer` and a `write`"),
+    (FeatureRow(Feature("lamp", "Lamp"), read=lambda _: {}, write=lambda _, value: {}),
+    "both a `Writer` and a `write`"),
 ])  # fmt: skip
 def test_a_row_without_the_call_that_it_needs_is_refused_at_once(row, said):
     with pytest.raises(ValueError, match=said):
@@ -134,8 +136,8 @@ def test_a_row_without_the_call_that_it_needs_is_refused_at_once(row, said):
 
 
 def test_what_a_machine_never_tells_can_be_set_alone():
-    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
-    table = FeatureTable(Row(lamp, write=lambda _machine, on: {"lamp": on}))
+    lamp = Feature("lamp", "Lamp", kind=FeatureKind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    table = FeatureTable(FeatureRow(lamp, write=lambda _machine, on: {"lamp": on}))
     assert (lamp.is_readable, lamp.is_writable) == (False, True)
     assert table.write(None, "head", "lamp", True, lambda value, unit: (value, unit)) == (True, "")
     with pytest.raises(CommandRefused, match="can be read"):

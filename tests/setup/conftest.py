@@ -18,7 +18,7 @@ from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 NOON = datetime(2026, 3, 20, 18, 20, 0, tzinfo=UTC)

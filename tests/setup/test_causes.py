@@ -6,10 +6,10 @@ import pytest
 from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw
 from birdcage.setup.causes import Case, describe, find_causes
 from birdcage.station.known import PortInfo, SystemFacts
-from birdcage.station.state import Link, LinkState
+from birdcage.station.state import LinkPhase, LinkState
 
-SILENT = LinkState(Link.SILENT, detail="The dish is silent.")
-LOST = LinkState(Link.LOST, detail="/dev/ttyUSB0 does not exist.")
+SILENT = LinkState(LinkPhase.SILENT, detail="The dish is silent.")
+LOST = LinkState(LinkPhase.LOST, detail="/dev/ttyUSB0 does not exist.")
 CLEAN = SystemFacts("/dev/ttyUSB0", group="dialout", may_open=True, enrolled=True, modem_manager=False, brltty=False)
 ADAPTER = PortInfo("/dev/ttyUSB0", None, "FTDI", "0403:6001", "A1", "1-1")
 
@@ -87,14 +87,18 @@ def test_silence_everywhere_begins_at_the_dish():
 
 
 def test_silence_after_the_boot_text_is_a_dish_that_starts():
-    link = LinkState(Link.SILENT, last_reply=1000.0, detail="The dish talks, but nothing answered. It is starting.")
+    link = LinkState(
+        LinkPhase.SILENT, last_reply=1000.0, detail="The dish talks, but nothing answered. It is starting."
+    )
     result = find_causes(Case("/dev/ttyUSB0", link, firmware_baud=115200, restarted=True))
     assert likely(result) == ["The dish is starting"]
     assert result[0].title == "The dish is starting"
 
 
 def test_before_any_other_rate_was_tried_it_tells_what_was_seen_and_not_what_that_may_mean():
-    link = LinkState(Link.SILENT, detail="Enter brought nothing in 2.0 s. Check its power, or the baud rate is wrong.")
+    link = LinkState(
+        LinkPhase.SILENT, detail="Enter brought nothing in 2.0 s. Check its power, or the baud rate is wrong."
+    )
     for cause in find_causes(Case("/dev/ttyUSB0", link, firmware_baud=115200)):
         assert "Check its power" not in cause.why
     assert by_title(find_causes(Case("/dev/ttyUSB0", link)), "The cable").why.startswith(
@@ -103,7 +107,7 @@ def test_before_any_other_rate_was_tried_it_tells_what_was_seen_and_not_what_tha
 
 
 def test_silence_of_a_dish_that_has_answered_is_not_a_swapped_wire():
-    link = LinkState(Link.SILENT, last_reply=1000.0, detail="silent")
+    link = LinkState(LinkPhase.SILENT, last_reply=1000.0, detail="silent")
     result = causes(*all_rates(Saw.SILENCE), link=link)
     assert "The sending pair is swapped" not in likely(result)
     assert "The dish's shell is deadlocked" in likely(result)
@@ -116,7 +120,7 @@ def test_silence_at_a_rate_that_is_not_the_firmwares():
 
 
 def test_before_anybody_listened_the_link_speaks():
-    result = causes(link=LinkState(Link.SILENT, detail="Enter brought nothing in 2.0 s."))
+    result = causes(link=LinkState(LinkPhase.SILENT, detail="Enter brought nothing in 2.0 s."))
     assert "Enter brought nothing in 2.0 s." in result[0].why
     assert "The dish has no power" in likely(result)
 
@@ -215,7 +219,7 @@ def test_modem_manager_is_named_while_it_runs_and_likely_when_it_was_heard():
 
 
 def test_a_server_on_the_network_is_not_plugged_in():
-    (only,) = find_causes(Case("socket://host:2000", LinkState(Link.LOST, detail="no answer")))
+    (only,) = find_causes(Case("socket://host:2000", LinkState(LinkPhase.LOST, detail="no answer")))
     assert "server" in only.what_to_do
     case = Case("socket://host:2000", SILENT, (found(57600, Saw.SILENCE),), firmware_baud=115200)
     rate = by_title(find_causes(case), "Wrong baud")
@@ -223,7 +227,7 @@ def test_a_server_on_the_network_is_not_plugged_in():
 
 
 def test_nothing_is_wrong_while_the_dish_answers():
-    assert causes(link=LinkState(Link.UP)) == ()
+    assert causes(link=LinkState(LinkPhase.UP)) == ()
 
 
 @pytest.mark.parametrize("saw", list(Saw))

@@ -9,7 +9,7 @@ from birdcage.setup.engine import STEPS, Setup
 from birdcage.setup.first_run import is_first_run
 from birdcage.setup.step import NAMES, AreaNotClear, Mark, NoSuchChoice
 from birdcage.station.requests import Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 TYPED = {
     "port": "/dev/ttyUSB0", "baud": "115200", "name": "helix", "band": "1670 to 1710 MHz", "beam_deg": "12",
@@ -192,7 +192,7 @@ def test_a_resumed_setup_goes_to_the_link_when_that_is_broken(house):
     house.choose("link", "keep")
     house.plugged = []
     house.start().run(3)
-    assert house.state.link.state is Link.LOST
+    assert house.state.link.state is LinkPhase.LOST
     assert house.setup.current == "link"
     assert house.setup.causes()[0].title == "The adapter is out"
 

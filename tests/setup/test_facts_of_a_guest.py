@@ -15,7 +15,7 @@ from birdcage.setup.steps.home import HomeStep
 from birdcage.setup.steps.limits import LimitsStep
 from birdcage.setup.steps.link import LinkStep
 from birdcage.setup.steps.search import SearchStep
-from birdcage.station.state import Activity, Link, Search
+from birdcage.station.state import Activity, LinkPhase, TvSearch
 
 PLUG = Connector(
     "din", "Guest dish", "DIN, 5 pins", Drawing.USB, "RS-232, 9600 baud 8N1", (), "Its maker.", ("Note.",), 20
@@ -37,7 +37,7 @@ GUEST = replace(
 def bench(facts=GUEST, **readings):
     told = {f"row.{name}": SimpleNamespace(value=value) for name, value in readings.items()}
     state = SimpleNamespace(
-        dish=facts, readings=told, surveyed=True, firmware_version=None, search=Search.UNKNOWN,
+        dish=facts, readings=told, surveyed=True, firmware_version=None, search=TvSearch.UNKNOWN,
         el_min_deg=10.0, el_max_deg=80.0, el_offset_deg=0.0,
     )  # fmt: skip
     own = SimpleNamespace(min_elevation_deg=None, max_elevation_deg=None, cable_min_deg=None, cable_max_deg=None)
@@ -100,7 +100,7 @@ def test_a_machine_on_no_serial_line_is_shown_no_other_dish_s_plugs(monkeypatch)
 
 def test_a_machine_on_no_serial_line_has_no_speed_to_show_or_keep():
     kept = {}
-    link = SimpleNamespace(state=Link.UP, round_trip_s=0.004, reason=None, detail="")
+    link = SimpleNamespace(state=LinkPhase.UP, round_trip_s=0.004, reason=None, detail="")
     state = SimpleNamespace(dish=NETWORKED, port="socket://192.0.2.9:4000", link=link, activity=Activity.IDLE)
     step = LinkStep(SimpleNamespace(
         state=state, settings=SimpleNamespace(dish=SimpleNamespace(baud=None)), kept=lambda _name: None, ports=list,

@@ -3,7 +3,7 @@
 import pytest
 from birdcage.setup.engine import clear_question
 from birdcage.setup.step import NoSuchChoice
-from birdcage.station.state import Link, Search
+from birdcage.station.state import LinkPhase, TvSearch
 
 
 @pytest.fixture
@@ -16,7 +16,7 @@ def test_its_search_is_ended_at_once_and_said_to_come_back(travler):
     assert "comes back at each power-up" in words
     assert "NVS 20" not in words
     travler.choose("search", "end")
-    assert travler.state.search is Search.OFF_UNTIL_POWER_UP
+    assert travler.state.search is TvSearch.OFF_UNTIL_POWER_UP
     assert travler.marks()["search"] == "done"
     assert "begins again at each power-up" in travler.view("search").evidence
     assert "ngsearch" in travler.lines()
@@ -26,7 +26,7 @@ def test_that_it_was_ended_once_is_no_proof_after_the_next_power_up(travler, bui
     travler.choose("search", "end")
     travler.kill()
     again = build("hal205?seed=1").up()
-    assert again.state.search is not Search.OFF_UNTIL_POWER_UP
+    assert again.state.search is not TvSearch.OFF_UNTIL_POWER_UP
     assert again.marks()["search"] == "todo"
 
 
@@ -65,7 +65,7 @@ def test_direction_is_tried_by_moving_and_back(travler):
 
 def test_another_dish_than_was_thought_is_chosen_and_kept_and_asks_for_a_new_session(build):
     house = build("hal205?seed=1", firmware="g2")
-    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.until(lambda: house.state.link.state is LinkPhase.SILENT)
     choice = next(each for each in house.view("link").choices if each.name == "firmware-hal205")
     assert "Trav'ler" in choice.label
     assert house.setup.begin_anew == ""
@@ -81,9 +81,9 @@ def test_another_dish_than_was_thought_is_chosen_and_kept_and_asks_for_a_new_ses
 
 def test_a_travler_heard_at_its_own_rate_is_offered_as_one_and_not_as_a_g2_at_that_rate(build):
     house = build("hal205?seed=1", firmware="g2")
-    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.until(lambda: house.state.link.state is LinkPhase.SILENT)
     house.choose("link", "probe")
-    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.until(lambda: house.state.link.state is LinkPhase.SILENT)
     enter = next(each for each in house.view("link").choices if each.key == "enter")
     assert enter.label == "It is a Trav'ler (hal205)"
     assert "not the one you chose" in house.view("link").words[0]
@@ -94,7 +94,7 @@ def test_a_travler_heard_at_its_own_rate_is_offered_as_one_and_not_as_a_g2_at_th
 
 def test_a_dish_that_answers_as_another_is_not_called_mute(build):
     house = build("hal205?seed=1", firmware="g2")
-    house.until(lambda: house.state.link.state is Link.SILENT)
+    house.until(lambda: house.state.link.state is LinkPhase.SILENT)
     house.choose("link", "other", port=house.state.port, baud="57600")
     step = house.view("link")
     assert "no dish answers" not in step.evidence

@@ -117,14 +117,14 @@ def test_a_dish_without_a_tuner_says_so():
 
 @pytest.mark.parametrize(("signal", "reads"), [("tuner", True), ("rigctl", False)])
 def test_what_a_receiver_hears_is_not_asked_of_the_tuner_in_a_pursuit(signal, reads):
-    from birdcage.station.hearing import Hearing
+    from birdcage.station.signal_excursion import SignalExcursion
     from birdcage.tracking.steps import Hear
 
     bench = Bench(options={"feed": FeedProfile(signal=signal)}).connect()
     bench.watch("position")
     bench.step(5.0)
     station = bench.station
-    hearing = Hearing(station._board, station._antenna, station._look, station._watches)
+    hearing = SignalExcursion(station._store, station._antenna, station._reader, station._watches)
     now_s = bench.clock.utc().timestamp()
     over = hearing.carry_out(Hear(now_s + 60.0, 9.0), now_s, at_once=False)
     assert over is not reads

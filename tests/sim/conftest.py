@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 import pytest
-from birdcage.base.clock import Outcome, VirtualClock
+from birdcage.base.clock import VirtualClock, WaitOutcome
 from birdcage.sim.port import SimPort, open_port
 
 
@@ -21,7 +21,7 @@ class Terminal:
         """Everything that arrives within so many seconds."""
         heard = b""
         end = self.clock.monotonic() + seconds
-        while self.clock.wait(self.port, end) is Outcome.READY:
+        while self.clock.wait(self.port, end) is WaitOutcome.READY:
             heard += self.port.read()
         return heard.decode("latin-1")
 
@@ -36,7 +36,7 @@ class Terminal:
         heard = ""
         end = self.clock.monotonic() + within
         while not heard.endswith(prompt):
-            assert self.clock.wait(self.port, end) is Outcome.READY, f"no {prompt} after {line!r}: {heard!r}"
+            assert self.clock.wait(self.port, end) is WaitOutcome.READY, f"no {prompt} after {line!r}: {heard!r}"
             heard += self.port.read().decode("latin-1")
         return heard
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 
 import pytest
-from birdcage.sim.axis import Axis, AxisData
+from birdcage.sim.axis import AxisData, AxisMechanics
 from birdcage.sim.motion import plan
 from hypothesis import given
 from hypothesis import strategies as st
@@ -15,7 +15,7 @@ LOW, HIGH = -423.33, 23.33
 
 def azimuth(position=0.0, **changes):
     data = AxisData("AZ", 40000, 65.0, 400.0, LOW, HIGH, HIGH, 0.01, 65.0, 8.0, overshoot=0.0, **changes)
-    return Axis(data, position, random.Random(1))
+    return AxisMechanics(data, position, random.Random(1))
 
 
 def test_a_motion_ends_at_the_stop_and_tells_when():

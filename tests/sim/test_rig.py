@@ -14,7 +14,7 @@ from birdcage.base.geometry import beside
 from birdcage.sim.beacons import read_beacons
 from birdcage.sim.beam import COMPRESSION, gain, power_toward
 from birdcage.sim.port import open_device, open_port
-from birdcage.sim.rig import Rig, RigSettings
+from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.station.known import list_models
 
 SENT_HZ = 11.7e9
@@ -28,7 +28,7 @@ class Bench:
         self.begin_s = self.clock.utc().timestamp()
         self.dish = open_device("g2?az=-180&el=45", clock=self.clock)
         self.file = folder / "beacons.json"
-        self.rig = Rig(
+        self.rig = SimReceiver(
             RigSettings(beacons=str(self.file), noise_db=0.0, **options), self.clock, lambda: self.dish
         )  # fmt: skip
 
@@ -113,7 +113,7 @@ def test_the_file_may_come_later_and_change(bench):
 
 def test_its_noise_is_its_own_and_repeats(tmp_path):
     def told(seed):
-        rig = Rig(RigSettings(noise_db=0.5, seed=seed), VirtualClock(), lambda: None)
+        rig = SimReceiver(RigSettings(noise_db=0.5, seed=seed), VirtualClock(), lambda: None)
         return [float(rig.answer("l STRENGTH")) for _ in range(300)]
 
     assert told(1) == told(1) != told(2)

@@ -10,8 +10,8 @@ import pytest
 from birdcage.base.geometry import separation
 from birdcage.sim.almanac import geostationary, sun
 from birdcage.sim.beam import AZ_PROFILE, EL_PROFILE, FLOOR, PEAK, gain
-from birdcage.sim.settings import Settings
-from birdcage.sim.sky import COMPRESSION, SLOTS, Sky
+from birdcage.sim.settings import SimSettings
+from birdcage.sim.sky import COMPRESSION, SLOTS, SimSky
 
 NIGHT = datetime(2026, 3, 20, 6, tzinfo=UTC)
 
@@ -46,7 +46,7 @@ def test_first_sidelobes(away):
 
 
 def test_the_floor_rises_toward_the_horizon():
-    sky = Sky(Settings())
+    sky = SimSky(SimSettings())
     assert sky.floor(58) == pytest.approx(400)
     assert all(402 <= sky.floor(el) <= 403 for el in (18, 20, 22))
     levels = [sky.floor(el) for el in range(18, 66)]
@@ -54,7 +54,7 @@ def test_the_floor_rises_toward_the_horizon():
 
 
 def test_peaks_stand_where_the_satellites_are():
-    sky = Sky(Settings())
+    sky = SimSky(SimSettings())
     for (az, el), counts in sky.slots:
         near = [
             (sky.level(NIGHT, az + d_az / 4, el + d_el / 4), d_az, d_el)
@@ -69,13 +69,13 @@ def test_peaks_stand_where_the_satellites_are():
 
 
 def test_what_arrives_adds_up_and_the_detector_squeezes_it():
-    sky = Sky(Settings())
+    sky = SimSky(SimSettings())
     sky.slots = [((180.0, 45.0), 100.0), ((180.0, 45.0), 100.0)]
     assert sky.level(NIGHT, 180.0, 45.0) == pytest.approx(sky.floor(45.0) + 100.0 * 2 ** (1 / COMPRESSION))
 
 
 def test_the_sun_is_heard():
-    sky = Sky(Settings())
+    sky = SimSky(SimSettings())
     noon = datetime(2026, 6, 21, 23, tzinfo=UTC)
     az, el = sun(noon, 39.1, -95.7)
     assert sky.level(noon, az, el) > sky.floor(el) + 20
@@ -90,7 +90,7 @@ def test_the_console_hears_the_sky(terminal):
     az, el = geostationary(-119.0, 39.1, -95.7)
     dish = terminal(f"az={az - 360}&el={el}")
     dish.ask("dvb", "DVB>")
-    assert rssi(dish) == pytest.approx(Sky(Settings()).level(NIGHT, az, el), abs=1)
+    assert rssi(dish) == pytest.approx(SimSky(SimSettings()).level(NIGHT, az, el), abs=1)
     assert rssi(dish) > 400 + SLOTS[-119.0]
     empty = terminal("az=0&el=58")
     empty.ask("dvb", "DVB>")
@@ -123,7 +123,7 @@ def test_what_the_tuner_refuses(terminal, words):
 
 
 def test_azimuth_shrinks_with_elevation():
-    sky = Sky(Settings())
+    sky = SimSky(SimSettings())
     sky.slots = [((180.0, 60.0), 100.0)]
     level = sky.level(NIGHT, 186.0, 60.0)
     assert level == pytest.approx(sky.floor(60.0) + 100.0 * gain(3.0, 0.0))

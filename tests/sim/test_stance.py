@@ -6,16 +6,16 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.geometry import separation
 from birdcage.sim.port import open_device
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 from birdcage.sim.stance import Stance
 
 
 def test_a_level_base_is_only_turned() -> None:
-    assert Stance(Settings(heading=30.0)).beam(350.0, 40.0) == (20.0, 40.0)
+    assert Stance(SimSettings(heading=30.0)).beam(350.0, 40.0) == (20.0, 40.0)
 
 
 def test_leaning_north_lowers_what_is_north_and_lifts_what_is_south() -> None:
-    stance = Stance(Settings(tilt_north=2.0))
+    stance = Stance(SimSettings(tilt_north=2.0))
     assert stance.beam(0.0, 40.0) == pytest.approx((0.0, 38.0))
     assert stance.beam(180.0, 40.0) == pytest.approx((180.0, 42.0))
     # To the east the beam swings towards the north: dA = -AN sin A tan E.
@@ -25,16 +25,16 @@ def test_leaning_north_lowers_what_is_north_and_lifts_what_is_south() -> None:
 
 
 def test_leaning_east_lowers_what_is_east() -> None:
-    assert Stance(Settings(tilt_east=1.0)).beam(90.0, 30.0) == pytest.approx((90.0, 29.0))
-    assert Stance(Settings(tilt_east=1.0)).beam(270.0, 30.0) == pytest.approx((270.0, 31.0))
+    assert Stance(SimSettings(tilt_east=1.0)).beam(90.0, 30.0) == pytest.approx((90.0, 29.0))
+    assert Stance(SimSettings(tilt_east=1.0)).beam(270.0, 30.0) == pytest.approx((270.0, 31.0))
 
 
 def test_the_heading_turns_the_dish_and_not_the_lean() -> None:
-    assert Stance(Settings(tilt_north=2.0, heading=90.0)).beam(270.0, 40.0) == pytest.approx((0.0, 38.0))
+    assert Stance(SimSettings(tilt_north=2.0, heading=90.0)).beam(270.0, 40.0) == pytest.approx((0.0, 38.0))
 
 
 def test_collimation_is_the_same_angle_at_every_elevation() -> None:
-    stance = Stance(Settings(collimation=0.5))
+    stance = Stance(SimSettings(collimation=0.5))
     for el in (10.0, 45.0, 85.0):
         assert separation(100.0, el, *stance.beam(100.0, el)) == pytest.approx(0.5)
     assert stance.beam(100.0, 10.0)[0] < 100.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.clock import Outcome
+from birdcage.base.clock import WaitOutcome
 from birdcage.sim.wire import DOUBLE, DROP, PASS, Byte
 
 
@@ -54,7 +54,7 @@ def test_delays_keep_the_order(terminal):
     start = dish.now
     assert dish.listen(0.09) == ""
     assert dish.listen(10.0) == "mot\r\nMOT>"
-    assert dish.clock.wait(dish.port, dish.now) is Outcome.TIMEOUT
+    assert dish.clock.wait(dish.port, dish.now) is WaitOutcome.TIMEOUT
     dish.port.wire.to_dish.delay_max_s = 2.0
     dish.type("q\r")
     dish.listen(10.0)

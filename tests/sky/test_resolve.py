@@ -6,12 +6,12 @@ from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
-from birdcage.sky.catalogue import Entry, SearchIndex
+from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
 from birdcage.sky.downlinks import Downlink, shipped
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.targets import Resolver
-from birdcage.sky.targets.sight import below_words, next_rise
+from birdcage.sky.targets.track import below_words, next_rise
 
 NOW = datetime(2026, 11, 21, 15, 0, tzinfo=UTC)
 HERE, TOPEKA = Observer(52.0, 4.4, 10.0), Observer(39.1, -95.7)
@@ -31,7 +31,7 @@ LIST = (
 
 def resolver(*more, without=()):
     entries = (each for each in (*LIST, *more) if each.norad_id not in without)
-    return Resolver(SearchIndex(Entry(each, NOW) for each in entries))
+    return Resolver(SearchIndex(CatalogueEntry(each, NOW) for each in entries))
 
 
 @pytest.mark.parametrize(
@@ -151,7 +151,7 @@ def test_what_the_user_says_of_a_satellite_counts():
         Downlink("NOAA 19", 137e6, 137e6, "", None, True, "heard it", "2026", norad_id=33591, own=True),
         Downlink("MY BIRD", 437e6, 437e6, "", None, True, "mine", "2026", norad_id=59051, names=("PIGEON",), own=True),
     )
-    mine = Resolver(SearchIndex(Entry(each, NOW) for each in LIST), (*own, *shipped()))
+    mine = Resolver(SearchIndex(CatalogueEntry(each, NOW) for each in LIST), (*own, *shipped()))
     assert mine.resolve("noaa 19").note == ""
     assert mine.resolve("pigeon").target.name == "METEOR-M2 4"
 

@@ -17,10 +17,10 @@ from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
+from birdcage.sky.pass_search_job import PassSearchJob
 from birdcage.sky.reach_limits import NoGo, ReachLimits
 from birdcage.sky.search_process import SearchFailed, SearchProcess
 from birdcage.sky.watch import MOST_FAILURES, SkyWatch
-from birdcage.sky.watch_hunt import PassHunt
 from birdcage.sky.watch_source import read_catalogue
 
 HERE = Observer(50.0, 10.0, 300.0, "here")
@@ -60,7 +60,7 @@ def finish(process, job, now=NOW):
 
 
 def rows_here(path, limits, now=NOW):
-    hunt = PassHunt(read_catalogue(path), HERE, limits, START)
+    hunt = PassSearchJob(read_catalogue(path), HERE, limits, START)
     while hunt.work(now):
         pass
     return hunt.rows(now)

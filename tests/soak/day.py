@@ -15,10 +15,10 @@ from birdcage.station.raw import CONSOLE
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
-from .weather import Weather
+from .fault_mix import Weather
 from .witness import Witness
 
 ADDRESSES = {

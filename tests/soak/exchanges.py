@@ -16,7 +16,7 @@ from birdcage.link.link import Link
 from birdcage.protocol.registry import get_protocol
 from birdcage.sim.port import open_port
 
-from .weather import Weather
+from .fault_mix import Weather
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class Exchanges:
         self.clock = VirtualClock()
         port = open_port(f"{kind.address}&seed={seed}", clock=self.clock)
         self.device = port.device
-        self.weather = Weather(random.Random(seed + 1)), Weather(random.Random(seed + 2))
+        self.fault_mix = Weather(random.Random(seed + 1)), Weather(random.Random(seed + 2))
         self.antenna = BirdcageAntenna(
             get_protocol(kind.address.partition("?")[0]), AntennaConfig(leapfrog_enabled=False)
         )
@@ -84,8 +84,8 @@ class Exchanges:
         self._tap_port(port)
         self.antenna.initialize()
         self.rows = {index: self.protocol.read_nvs(index) for index in kind.rows}
-        for lane, weather in zip(port.wire.lanes, self.weather, strict=True):
-            lane.set_plan(weather)
+        for lane, fault_mix in zip(port.wire.lanes, self.fault_mix, strict=True):
+            lane.set_plan(fault_mix)
 
     def _tap(self) -> None:
         """Look at what the dish prints, which moves it hears, and which its motors are given."""
@@ -127,7 +127,7 @@ class Exchanges:
 
     def _hear(self, words: list[str]) -> None:
         line = " ".join(words)
-        if line in self._sent and not (self._sent[line] and self.weather[0].altered):
+        if line in self._sent and not (self._sent[line] and self.fault_mix[0].altered):
             self._sent[line] += 1  # else the wire made it of another line
         if len(words) != 3 or words[0] != "a" or words[1] not in ("0", "1"):
             return
@@ -145,8 +145,8 @@ class Exchanges:
             if number % 100 == 99:
                 self._come_to_rest(number)
             elif rng.random() < 0.15:
-                for weather in self.weather:
-                    weather.change()
+                for fault_mix in self.fault_mix:
+                    fault_mix.change()
                 self._failing = 0
             if rng.random() < 0.1:
                 self.clock.advance(rng.choice((0.01, 0.5, 3.0, 20.0)))
@@ -157,8 +157,8 @@ class Exchanges:
         deed = self.rng.choices(
             (self._position, self._row, self._menu, self._move, self._signal), (45, 15, 12, 20, 8)
         )[0]  # fmt: skip
-        for weather in self.weather:
-            weather.begin()
+        for fault_mix in self.fault_mix:
+            fault_mix.begin()
         self._printed.clear()
         try:
             wrong = deed()
@@ -177,7 +177,7 @@ class Exchanges:
 
     def _may_fail(self, error: BirdcageError) -> str:
         """In clear weather the first exchange may still pay for what was before, and no other."""
-        clear = all(weather.spell in ("clear", "split") for weather in self.weather)
+        clear = all(fault_mix.spell in ("clear", "split") for fault_mix in self.fault_mix)
         return f"in clear weather: {error}" if clear and self._failing > 1 else ""
 
     # What is asked, and what must hold.
@@ -187,7 +187,7 @@ class Exchanges:
 
         `whole`: any byte of the reply is a part of it, not its numerals only.
         """
-        back = self.weather[1]
+        back = self.fault_mix[1]
         self.tally[what] += 1
         if printed:
             return ""
@@ -242,7 +242,7 @@ class Exchanges:
         self._sent |= dict.fromkeys(lines, 0)
         self.antenna.move_to(az_deg, el_deg)
         self.tally["move"] += 1
-        there, back = self.weather
+        there, back = self.fault_mix
         lost = [line for line in lines if self._sent[line] != 1]
         if lost and there.altered and back.altered:
             self.tally["move altered on the wire, and its echo too"] += 1
@@ -262,8 +262,8 @@ class Exchanges:
 
     def _come_to_rest(self, number: int) -> None:
         """Every step that was ordered was gone, by the motors' own count and by the shafts."""
-        for weather in self.weather:
-            weather.clear()
+        for fault_mix in self.fault_mix:
+            fault_mix.clear()
         self._failing = 0
         self.clock.advance(10.0)
         while self.device.truth().moving:

@@ -6,7 +6,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.link.link import Link
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 from .dish import StandIn

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.station.requests import Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .bench import Bench
 
@@ -34,7 +34,7 @@ def test_it_points_a_dish_that_shares_no_code_with_our_simulator(habits):
 @pytest.mark.parametrize("echo", ["off", "upper"])
 def test_a_console_whose_echo_is_missing_is_told_so_and_not_called_dead(echo):
     bench = Bench(echo=echo)
-    bench.until(lambda: bench.state.link.state is Link.SILENT)
+    bench.until(lambda: bench.state.link.state is LinkPhase.SILENT)
     assert "half duplex swallows the echo" in bench.state.link.detail
     assert "deadlocked" not in bench.state.link.detail
     assert bench.dish.root_q == 0

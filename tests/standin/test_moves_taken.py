@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.clock import Outcome
+from birdcage.base.clock import WaitOutcome
 from birdcage.base.errors import NotTaken
 from birdcage.rotator.facts import SecondMove
 from birdcage.station.events import End, LinkChanged, MoveEnded
 from birdcage.station.requests import Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .bench import Bench
 
@@ -22,7 +22,7 @@ def press_after(bench, seconds):
     def waiting(endpoint, until, wake):
         if not done and until >= at:
             outcome = wait(endpoint, at, wake)
-            if outcome is not Outcome.TIMEOUT:
+            if outcome is not WaitOutcome.TIMEOUT:
                 return outcome
             done.append(bench.clock.monotonic())
             bench.station.stop("you")
@@ -39,7 +39,7 @@ def stands_at(bench, az_deg, el_deg):
 
 
 def was_silent(bench):
-    return any(isinstance(event, LinkChanged) and event.link.state is Link.SILENT for event in bench.events)
+    return any(isinstance(event, LinkChanged) and event.link.state is LinkPhase.SILENT for event in bench.events)
 
 
 @pytest.mark.parametrize("more", [

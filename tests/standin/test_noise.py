@@ -6,7 +6,7 @@ import random
 
 import pytest
 from birdcage.station.requests import AcknowledgeFault, Goto, Release, Watch
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 from tests.shared.night import by_night
 
@@ -61,7 +61,7 @@ def _judge(bench: Bench) -> None:
     assert low > 17.9
     assert high < 65.1
     assert all(0.0 <= each.deg <= 360.0 if each.axis == 0 else 18.0 <= each.deg <= 65.0 for each in dish.asked())
-    assert state.link.state is Link.UP, state.link
+    assert state.link.state is LinkPhase.UP, state.link
     assert not dish.moves()
     assert state.activity is Activity.IDLE
     az, el = dish.where()

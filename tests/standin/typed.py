@@ -73,11 +73,11 @@ class Terminal:
         for module in (clocks, dishes):
             patch.setattr(module, "RealClock", lambda: self.clock)
         patch.setattr(Session, "start", lambda session: None)
-        patch.setattr(dishes.Dish, "_next", self._next(dishes.Dish._next))
+        patch.setattr(dishes.DishSession, "_next", self._next(dishes.DishSession._next))
         patch.setattr(PursuitDesk, "start", lambda desk: self._desks.update({desk: 0.0}))
         patch.setattr(PursuitDesk, "__init__", self._unthreaded(PursuitDesk.__init__))
-        patch.setattr(talk.Answers, "__init__", lambda answers, stream: None)
-        patch.setattr(talk.Answers, "next", lambda answers: self._typed())
+        patch.setattr(talk.TypedLines, "__init__", lambda answers, stream: None)
+        patch.setattr(talk.TypedLines, "next", lambda answers: self._typed())
         patch.setattr(testing._NamedTextIOWrapper, "isatty", lambda stream: True, raising=False)
 
     @staticmethod

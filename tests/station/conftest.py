@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import pytest
-from birdcage.base.clock import Outcome, VirtualClock
+from birdcage.base.clock import VirtualClock, WaitOutcome
 from birdcage.base.errors import LinkError
 from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.requests import Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 
@@ -79,7 +79,7 @@ class Bench:
         def waiting(endpoint, until, wake):
             if calls and until >= at:
                 outcome = wait(endpoint, at, wake)
-                if outcome is not Outcome.TIMEOUT:
+                if outcome is not WaitOutcome.TIMEOUT:
                     return outcome
                 calls.pop()()
             return wait(endpoint, until, wake)

@@ -6,11 +6,11 @@ from datetime import UTC, datetime
 
 import numpy as np
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach
-from birdcage.station.pursuit import Phase, PursuitOptions
+from birdcage.sky.reach_model import PassReach
+from birdcage.station.pursuit_state import Phase, PursuitOptions
 from birdcage.station.requests import Pursue
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.plan import Aim, Leg, Part, Plan, Preposition
+from birdcage.tracking.plan import Plan, PlanLeg, PlanPart, PlanTarget, Preposition
 
 from .conftest import Bench
 from .queued_bench import connected
@@ -32,15 +32,16 @@ def plan_of(
     el = low + (high - low) * np.sin(np.pi * np.clip(t - late_s, 0, lasts_s) / lasts_s)
     curve = Curve(start_s + t, az, el)
     end_s = start_s + lasts_s
-    pieces = [(Part.FOLLOW, start_s, end_s)]
+    pieces = [(PlanPart.FOLLOW, start_s, end_s)]
     if gap is not None:
-        pieces = [(Part.FOLLOW, start_s, start_s + gap[0]), (Part.FOLLOW, start_s + gap[1], end_s)]
+        pieces = [(PlanPart.FOLLOW, start_s, start_s + gap[0]), (PlanPart.FOLLOW, start_s + gap[1], end_s)]
     elif rewind_s is not None:
         half = start_s + lasts_s / 2
         pieces = [
-            (Part.FOLLOW, start_s, half), (Part.REWIND, half, half + rewind_s), (Part.FOLLOW, half + rewind_s, end_s),
+            (PlanPart.FOLLOW, start_s, half), (PlanPart.REWIND, half, half + rewind_s), (PlanPart.FOLLOW,
+            half + rewind_s, end_s),
         ]  # fmt: skip
-    legs = tuple(Leg(part, a, b, curve.at(a)[0], curve.at(b)[0], turn) for part, a, b in pieces)
+    legs = tuple(PlanLeg(part, a, b, curve.at(a)[0], curve.at(b)[0], turn) for part, a, b in pieces)
     first = curve.at(start_s)
     wait = Preposition(
         *first, first[0] % 360.0, first[1], (first,), start_s - 15.0 if leave_s is None else leave_s, 4.0
@@ -48,7 +49,7 @@ def plan_of(
     utc = [datetime.fromtimestamp(when, UTC) for when in (start_s, start_s + lasts_s / 2, end_s)]
     passing = Pass(name, 33591, *utc, from_az, from_az, from_az, high)
     return Plan(
-        Aim(name, "satellite", 33591, time_offset_s=late_s), utc[0], passing, Reach((), (), high),
+        PlanTarget(name, "satellite", 33591, time_offset_s=late_s), utc[0], passing, PassReach((), (), high),
         Curve(curve.t_s, curve.az_deg % 360.0 if curve.az_deg.max() < 360 else curve.az_deg, curve.el_deg), curve, legs,
         wait, (), None, (),
     )  # fmt: skip

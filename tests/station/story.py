@@ -6,11 +6,11 @@ import random
 
 from birdcage.base.config import Settings
 from birdcage.base.geometry import shortest_turn
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station import requests as ask
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.state import MOVING, Activity
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 
 from .conftest import Bench
 
@@ -68,7 +68,7 @@ class Story(Bench):
         self._releasing = False
         super().__init__("g2?" + "&".join(options), {"remark": self._note})
         station = self.station
-        protocol, desk, talk = station._antenna.rotator.protocol, station._desk, station._talk
+        protocol, desk, talk = station._antenna.rotator.protocol, station._handler, station._raw_console
         interject, serve, tick = protocol.interject, desk.serve, talk.tick
 
         def interjecting(lines):
@@ -141,7 +141,7 @@ class Story(Bench):
     def _was_asked(self, line):
         """Whether somebody asked for these bytes, while a person talks."""
         state, serving = self.state, self._serving
-        talks = state.holder == CONSOLE and self.station._talk._holder == CONSOLE
+        talks = state.holder == CONSOLE and self.station._raw_console._holder == CONSOLE
         if not talks or not line.strip() or state.activity in MOVING or state.link.state is not LinkNow.UP:
             return True
         if serving is None or isinstance(serving, ask.AcquireLease):
@@ -250,7 +250,7 @@ class Story(Bench):
         if state.link.state is not LinkNow.UP:
             self.wrong.append(f"the link did not come back: {state.link}")
             return
-        if state.holder == CONSOLE or self.station._talk._holder is not None or self.station._vigil.paused:
+        if state.holder == CONSOLE or self.station._raw_console._holder is not None or self.station._monitor.paused:
             self.wrong.append(f"the talk has not ended: {state.holder}")
         if truth.moving:
             # A search of the dish's own after a restart, and what must not be stopped.
@@ -271,5 +271,5 @@ class Story(Bench):
         off = abs(shortest_turn(position.dish_az_deg, truth.az_deg)), abs(position.dish_el_deg - truth.el_deg)
         if max(off) > 0.1:
             self.wrong.append(f"the board says {position}, the truth is {truth}")
-        if state.turn is Turn.COUNTED and abs(position.cable_deg - truth.cable_deg) > 0.5:
+        if state.turn is CableTurn.COUNTED and abs(position.cable_deg - truth.cable_deg) > 0.5:
             self.wrong.append(f"the cable is counted {position.cable_deg}, and is {truth.cable_deg}")

@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.errors import Held, LinkError, Stopped
 from birdcage.sim.wire import Byte
 from birdcage.station.requests import AcknowledgeFault, Goto, Release
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 from .conftest import Bench
 
@@ -15,11 +15,11 @@ def test_a_port_that_is_not_there_is_looked_for_until_it_is():
     bench = Bench()
     bench.device.unplug()
     bench.step(4)
-    assert bench.state.link.state is Link.LOST
+    assert bench.state.link.state is LinkPhase.LOST
     assert bench.state.position is None
     bench.device.plug()
     bench.step(6)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.position is not None
 
 
@@ -27,12 +27,12 @@ def test_a_silent_dish_is_told_within_two_seconds_and_shows_no_position():
     bench = Bench()
     bench.device.wire.to_host.silent = True
     bench.step(2.1)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     assert bench.state.position is None
     assert "deadlocked" in bench.state.link.detail
     bench.device.wire.to_host.silent = False
     bench.step(8)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.position is not None
 
 
@@ -42,12 +42,12 @@ def test_unplugged_in_mid_slew_the_motion_is_given_up_and_held(bench):
     bench.step(0.5)
     bench.device.unplug()
     bench.step(1)
-    assert bench.state.link.state is Link.LOST
+    assert bench.state.link.state is LinkPhase.LOST
     assert isinstance(future.exception(0), Stopped)
     assert bench.state.position_lost is not None
     bench.device.plug()
     bench.step(10)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.held.reason == "link"
     with pytest.raises(Held):
         bench.do(Goto(180, 45, "Gpredict"))
@@ -191,7 +191,7 @@ def test_noise_on_an_idle_line_shows_as_noise_and_changes_nothing(bench):
     bench.step(30)
     bench.device.wire.to_host.garble = 0.0
     bench.step(15)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.position.az_deg == pytest.approx(position.az_deg, abs=0.02)
     assert not bench.device.truth().moving
 
@@ -238,7 +238,7 @@ def test_a_dish_that_was_just_switched_on_is_starting_not_faulty():
     assert Activity.INITIALIZING in seen
     assert bench.state.fault is None
     assert bench.state.held is None
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.activity is Activity.IDLE
 
 

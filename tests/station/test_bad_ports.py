@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.station.events import PositionRead
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .conftest import Bench
 
@@ -31,7 +31,7 @@ def test_a_bad_port_from_the_start(fault):
     fault(bench.device.wire)
     bench.watch("position")
     bench.step(2.1)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     assert bench.state.link.detail
     assert bench.state.position is None
     bench.step(30)
@@ -49,12 +49,12 @@ def test_a_port_that_turns_bad_and_good_again(fault):
     fault(bench.device.wire)
     last = bench.state.link.last_reply
     bench.step(3.5)
-    told = bench.state.link.state is Link.SILENT or bench.clock.monotonic() - bench.state.link.last_reply > 2.0
+    told = bench.state.link.state is LinkPhase.SILENT or bench.clock.monotonic() - bench.state.link.last_reply > 2.0
     assert told or bench.state.link.last_reply > last
     bench.device.wire.to_host.garble = bench.device.wire.to_host.drop = 0.0
     bench.device.wire.to_host.silent = bench.device.wire.to_dish.silent = False
     bench.step(20)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.position_lost is None
     assert bench.state.position.az_deg == pytest.approx(bench.device.truth().az_deg, abs=0.1)
 

@@ -13,7 +13,7 @@ from birdcage.base.errors import (
     PositionUnknown,
     Stopped,
 )
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station.requests import AcquireLease, Engage, Goto, Home, Release, ReleaseMotors, SetSpeed, Stow
 from birdcage.station.state import Activity
 
@@ -48,10 +48,10 @@ def held(bench):
 
 def test_releasing_forgets_position_turn_and_homing(bench):
     bench.do(Home("you"))
-    assert bench.state.turn is Turn.COUNTED
+    assert bench.state.turn is CableTurn.COUNTED
     bench.do(ReleaseMotors("you"))
     state = bench.state
-    assert (state.position, state.position_lost, state.turn, state.homed) == (None, "released", Turn.UNKNOWN, None)
+    assert (state.position, state.position_lost, state.turn, state.homed) == (None, "released", CableTurn.UNKNOWN, None)
     assert state.activity is Activity.IDLE
     assert bench.device.truth().released
 
@@ -158,7 +158,7 @@ def test_stow_ends_where_the_dish_came_to_rest(blocks):
     assert not bench.device.truth().moving
     assert bench.lines().count("stow") == 1
     state = bench.state
-    assert (state.activity, state.position_lost, state.turn) == (Activity.IDLE, None, Turn.UNKNOWN)
+    assert (state.activity, state.position_lost, state.turn) == (Activity.IDLE, None, CableTurn.UNKNOWN)
     seen = [event.activity for event in bench.events if type(event).__name__ == "ActivityChanged"]
     assert Activity.STOWING in seen
     assert Activity.MOVING_UNASKED not in seen

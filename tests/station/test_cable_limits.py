@@ -10,7 +10,7 @@ from birdcage.base.paths import Paths
 from birdcage.sim.port import open_device
 from birdcage.station.build import open_session
 from birdcage.station.requests import Goto, Home, Jog
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 
 class FromFile:
@@ -25,7 +25,7 @@ class FromFile:
             paths=Paths.in_folder(folder), clock=self.clock, survey=False,
         )  # fmt: skip
         self.session.step(3.0)
-        assert self.session.station.state.link.state is Link.UP
+        assert self.session.station.state.link.state is LinkPhase.UP
 
     def do(self, request, seconds=60.0):
         future = self.session.station.submit(request)

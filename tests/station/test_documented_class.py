@@ -10,7 +10,7 @@ from birdcage.rotator import machines
 from birdcage.station.requests import Goto
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 from birdcage.station.station import Station
 
 SPEED_DEG_S = 10.0
@@ -99,7 +99,7 @@ def made(monkeypatch):
 
 def test_a_go_to_arrives(made):
     rig = Rig()
-    assert rig.state.link.state is Link.UP
+    assert rig.state.link.state is LinkPhase.UP
     future = rig.station.submit(Goto(230.0, 50.0, "you"))
     rig.session.step(10)
     assert future.done()
@@ -128,8 +128,8 @@ def test_a_port_that_fails_is_told_and_found_again(made):
     rig.session.step(5)
     assert isinstance(future.exception(), LinkError)
     assert made[0].moves == []
-    assert rig.state.link.state is not Link.UP
+    assert rig.state.link.state is not LinkPhase.UP
     assert "Input/output error" in rig.state.link.detail
     made[0].gone = False
     rig.session.step(30)
-    assert rig.state.link.state is Link.UP
+    assert rig.state.link.state is LinkPhase.UP

@@ -19,11 +19,11 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.tuner import Tuner
 from birdcage.protocol.menu_rotator import MenuRotator
-from birdcage.rotator.feature import Cost, Feature, Kind, Reading, Writer
+from birdcage.rotator.feature import Cost, Feature, FeatureKind, Reading, Writer
 from birdcage.rotator.verdict import Grade
 from birdcage.station.events import ReadingRead
 from birdcage.station.requests import AcquireLease, Goto, Raw, Read, Release, ReleaseLease, Set
-from birdcage.station.state import Activity, Link, Search
+from birdcage.station.state import Activity, LinkPhase, TvSearch
 
 from .conftest import Bench
 
@@ -124,7 +124,7 @@ def test_a_question_that_is_refused_leaves_the_motor_menu_behind_it(bench, monke
     with pytest.raises(CommandRefused, match="The tuner is off"):
         bench.do(Read(("rssi", "snr")))
     assert bench.state.menu == "mot"
-    assert not bench.station._look.elsewhere
+    assert not bench.station._reader.elsewhere
 
 
 def test_who_talks_to_the_dish_is_not_disturbed(bench):
@@ -137,7 +137,7 @@ def test_who_talks_to_the_dish_is_not_disturbed(bench):
 def test_without_a_link_nothing_is_asked(bench):
     bench.device.unplug()
     bench.step(5.0)
-    assert bench.state.link.state is not Link.UP
+    assert bench.state.link.state is not LinkPhase.UP
     with pytest.raises(LinkError):
         bench.do(Read(("version",)))
 
@@ -147,7 +147,7 @@ def test_a_search_that_is_only_ended_is_a_momentary_feature():
     bench.watch("position")
     bench.connect(15.0)
     assert bench.do(Set("end_tv_search", True, "you")).value is True
-    assert bench.state.search is Search.OFF_UNTIL_POWER_UP
+    assert bench.state.search is TvSearch.OFF_UNTIL_POWER_UP
     with pytest.raises(CommandRefused, match="end_tv_search that can be read"):
         bench.do(Read(("end_tv_search",)))
 
@@ -175,14 +175,14 @@ def test_stop_in_the_middle_of_a_question_is_confirmed_and_finds_the_motor_menu(
     assert stop.at == pytest.approx(began + 0.08, abs=0.01)
     assert (stop.confirmed, bench.state.held.reason) == (True, "stop")
     assert bench.state.menu == "mot"
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     bench.do(Release("you"))
     bench.do(Goto(20.0, 45.0, "you"))
 
 
 def test_a_value_that_the_dish_never_tells_is_not_kept_as_read(monkeypatch):
     """It may have forgotten it since, and nothing would tell."""
-    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    lamp = Feature("lamp", "Lamp", kind=FeatureKind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
     model = replace(CARRYOUT_G2, features={**CARRYOUT_G2.features, "lamp": lamp})
     monkeypatch.setattr(CarryoutG2Protocol, "model", model)
     monkeypatch.setattr(MenuRotator, "write", lambda dish, _id, on: Reading(on, "", 0.0, dish.clock.utc()))

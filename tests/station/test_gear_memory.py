@@ -12,7 +12,7 @@ from birdcage.link.identity import dish_folder
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts
 from birdcage.station.facts_file import FILE, FactsFile
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.report import status_report
 from birdcage.station.requests import Goto, Release, Stop
 

@@ -9,11 +9,11 @@ import threading
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.station import inhibitor
-from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, PursuitChanged
 from birdcage.station.inhibitor import SleepInhibitor
-from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.state import Activity, StationState
+from birdcage.station.state_store import StateStore
 
 WAIT_S = 5.0
 
@@ -22,7 +22,7 @@ class Mover:
     """A station as far as an inhibitor sees one."""
 
     def __init__(self, demo: bool = False) -> None:
-        self.board = Board(VirtualClock(), StationState(demo=demo))
+        self.board = StateStore(VirtualClock(), StationState(demo=demo))
         self.subscribe, self.warn = self.board.subscribe, self.board.warn
 
     @property

@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from birdcage.sim.port import SimPort
 from birdcage.station.requests import Goto, Home, Unwatch, Watch
-from birdcage.station.state import Activity, Search, Turn
+from birdcage.station.state import Activity, Turn, TvSearch
 
 from .conftest import Bench
 
@@ -82,7 +82,7 @@ def test_the_survey_reads_identity_limits_and_search(bench):
     bench.step(10)
     assert bench.state.firmware_version == "02.02.48"
     assert (bench.state.el_min_deg, bench.state.el_max_deg) == (18.0, 65.0)
-    assert bench.state.search is Search.OFF
+    assert bench.state.search is TvSearch.OFF
     assert bench.state.readings["nvs.20"].value == "TRUE"
     assert bench.state.turn is Turn.UNKNOWN
 

@@ -6,7 +6,7 @@ from birdcage.sim.port import SimPort, open_device
 from birdcage.station.requests import Connect
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link as LinkNow
+from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .conftest import Bench
 
@@ -16,7 +16,7 @@ def test_a_travler_that_is_spoken_to_as_a_g2(left_in, prompts):
     bench = Bench(f"hal205?seed=1&search_finds=0&prompts={prompts}", {"baud": BAUDS["hal205"]}, firmware="g2")
     bench.device.shell.menu = left_in if left_in != "root" else bench.device.shell.menu
     bench.step(12.0)
-    assert (bench.state.link.state, bench.state.link.reason) == (Link.SILENT, "wrong_firmware")
+    assert (bench.state.link.state, bench.state.link.reason) == (LinkPhase.SILENT, "wrong_firmware")
     assert "--firmware hal205" in bench.state.link.detail
     assert not [line for line in bench.lines() if line not in ("", "mot", "a")], "nothing that changes anything"
 
@@ -24,7 +24,7 @@ def test_a_travler_that_is_spoken_to_as_a_g2(left_in, prompts):
 def test_a_g2_that_is_spoken_to_as_a_travler():
     bench = Bench("g2?seed=1", {"baud": BAUDS["g2"]}, firmware="hal205")
     bench.step(12.0)
-    assert (bench.state.link.state, bench.state.link.reason) == (Link.SILENT, "wrong_firmware")
+    assert (bench.state.link.state, bench.state.link.reason) == (LinkPhase.SILENT, "wrong_firmware")
     assert "--firmware g2" in bench.state.link.detail
 
 

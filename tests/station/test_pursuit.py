@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.geometry import separation
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import EndPursuit, Pursue
 from birdcage.station.state import Activity
 

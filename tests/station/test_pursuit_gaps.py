@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.geometry import separation
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
 
 from .pursuit_bench import PARK, at, g2, plan_of

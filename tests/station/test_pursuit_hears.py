@@ -126,7 +126,7 @@ def test_a_tuner_that_refuses_ends_no_pursuit_and_is_not_asked_again(monkeypatch
         asked.append(bench.clock.monotonic())
         raise CommandRefused("Tuner not available.", reason="unknown")
 
-    monkeypatch.setattr(bench.station._look, "signal", refuse)
+    monkeypatch.setattr(bench.station._reader, "signal", refuse)
     on_a_slot(bench, 40.0)
     assert bench.pursuit.phase is Phase.FOLLOWING
     assert len(asked) == 1

@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import pytest
 from birdcage.sim.wire import DROP, PASS
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Stop
 
 from .pursuit_bench import PARK, at, g2, plan_of, travler

@@ -8,11 +8,11 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.geometry import separation
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station.mounting import mount_of
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Home
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 
 from tests.tracking.orbits import NOW, PLACE, overhead
@@ -36,7 +36,7 @@ def test_a_pass_with_the_turn_of_the_cable_known(aside_deg):
     bench = g2(feed=FeedProfile(beam_deg=2.5))
     bench.do(Home("you"), 60)
     bench.do(Goto(20, 40, "you"))
-    assert bench.state.turn is Turn.COUNTED
+    assert bench.state.turn is CableTurn.COUNTED
     plan = planned(bench, aside_deg)
     assert plan.legs[0].turn is not None
     bench.pursue(plan, **PARK)
@@ -59,7 +59,7 @@ def test_a_dish_whose_moves_queue_follows_its_plan():
     assert bench.pursuit.why == "The pass is over."
     assert bench.state.fault is None
     assert bench.pursuit.rms_error_deg < 1.0
-    assert Part.FOLLOW in {leg.part for leg in plan.legs}
+    assert PlanPart.FOLLOW in {leg.part for leg in plan.legs}
 
 
 def test_the_forecast_holds_for_a_dish_that_overshoots_as_the_g2_does():

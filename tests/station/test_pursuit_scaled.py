@@ -8,7 +8,7 @@ from datetime import timedelta
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.geometry import separation
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from .conftest import Bench
 from .pursuit_bench import PARK, PursuitBench, at, plan_of

@@ -6,22 +6,22 @@ import pytest
 from birdcage.base.config import Settings
 from birdcage.base.errors import CommandRefused
 from birdcage.station.mounting import mount_of
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, EndPursuit, Goto, Release
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 from birdcage.station.station import Station
-from birdcage.tracking.steps import Limit, Look, Wait
+from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Wait
 
 from .pursuit_bench import PARK, PursuitBench, at, g2, plan_of
 
 
-def slowing(helm):
+def slowing(guide):
     """A controller that slows the azimuth down, and then only looks."""
-    now = (yield Limit({0: 7.0})).now_s
-    while now < helm.until_s:
-        yield Look()
+    now = (yield LimitSpeeds({0: 7.0})).now_s
+    while now < guide.until_s:
+        yield ReadPosition()
         now = (yield Wait(now + 1.0)).now_s
 
 
@@ -102,7 +102,7 @@ def test_a_dish_that_does_not_take_its_speed_back_is_a_fault(bench):
     bench.do(EndPursuit("you"))
     bench.step(3)
     assert bench.state.fault.reason == "speed"
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
 
 
 def test_stop_while_the_console_is_in_another_menu_to_set_a_speed():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import EndPursuit, Goto, Jog, Release
 
 from .pursuit_bench import PARK, at, g2, plan_of, travler

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from .pursuit_bench import PARK, PursuitBench, at, plan_of
 from .test_untaken import refuse

@@ -7,7 +7,7 @@ import pytest
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.geometry import separation
 from birdcage.sim.wire import DROP, PASS
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release, Stop
 
 from .pursuit_bench import PursuitBench, at, plan_of
@@ -191,6 +191,6 @@ def test_a_speed_that_the_owner_has_told_is_not_taken_for_the_one_that_it_glides
     told = {"own_facts": {"azimuth.speed_deg_s": 40.0, "elevation.speed_deg_s": 30.0}}
     bench = following(seconds=30.0, settings=told)
     assert speeds(bench)[0] < 2.0
-    ways_go_at = bench.station._pursuing._voyage.model()
+    ways_go_at = bench.station._pursuits._context.model()
     assert (ways_go_at.azimuth.speed_deg_s, ways_go_at.elevation.speed_deg_s) == (40.0, 30.0)
     assert error_deg(bench) < 0.02

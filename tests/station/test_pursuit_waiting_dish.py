@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .pursuit_bench import PARK, PursuitBench, at, plan_of
 from .test_waiting_dish import busy_told
@@ -51,7 +51,7 @@ def test_a_pass_is_followed_and_the_dish_is_never_called_silent(known):
     assert backlog(bench) <= 1
     assert bench.state.fault is None
     assert bench.state.held is None
-    assert not [e for e in bench.events if type(e).__name__ == "LinkChanged" and e.link.state is Link.SILENT]
+    assert not [e for e in bench.events if type(e).__name__ == "LinkChanged" and e.link.state is LinkPhase.SILENT]
     assert len(busy_told(bench)) - told <= (0 if known else 1)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.geometry import separation
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Watch
 from birdcage.tracking.steps import Send
 
@@ -100,10 +100,10 @@ def test_stop_always_knows_where_to_aim(rate):
 
 
 def test_however_eager_a_controller_is_nothing_piles_up_on_a_dish_whose_moves_queue(monkeypatch):
-    def eager(helm):
-        now = helm.now_s
-        while now < helm.until_s:
-            az_deg, el_deg = helm.course().at(now + 1.0)
+    def eager(guide):
+        now = guide.now_s
+        while now < guide.until_s:
+            az_deg, el_deg = guide.course().at(now + 1.0)
             now = (yield Send(0, az_deg)).now_s
             now = (yield Send(1, el_deg)).now_s
 

@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LinkError, MotionRefused, PositionUnknown
 from birdcage.base.geometry import separation
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Goto, Home, Pursue, Release, ReleaseLease
 
 from .conftest import Bench

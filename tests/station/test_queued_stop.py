@@ -12,8 +12,8 @@ from birdcage.rotator.facts import SecondMove
 from birdcage.rotator.ladder import StopMeans
 from birdcage.station.events import StopSent
 from birdcage.station.requests import AcknowledgeFault, Goto, Jog, Release, TurnSkew
-from birdcage.station.state import Activity, Search
-from birdcage.station.stop_pending import Reach
+from birdcage.station.state import Activity, TvSearch
+from birdcage.station.stop_pending import StopReach
 from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
@@ -38,7 +38,7 @@ def test_the_byte_is_out_when_stop_returns(bench):
     bench.station.stop("you")
     assert bench.sent_since(since).startswith(b"\r")
     assert bench.sent_since(since).strip(b"\r") == b""
-    assert bench.station.stop_reach is Reach.SENT
+    assert bench.station.stop_reach is StopReach.SENT
 
 
 def test_a_slew_ends_where_it_is_and_the_dish_is_held(bench):
@@ -138,7 +138,7 @@ def test_the_move_of_one_axis_ends_by_itself_and_nothing_follows(bench):
     since = bench.clock.monotonic()
     bench.station.stop("you")
     assert bench.sent_since(since) == b""
-    assert bench.station.stop_reach is Reach.ENDS
+    assert bench.station.stop_reach is StopReach.ENDS
     bench.step(0.05)
     report = bench.state.last_stop
     assert report.means == "end of move"
@@ -223,7 +223,7 @@ def test_a_search_is_ended_by_stop():
     assert not bench.device.truth().moving
     assert (bench.state.last_stop.means, bench.state.last_stop.confirmed) == ("search", True)
     assert bench.state.last_stop.sentence.startswith("The TV search was ended. Stands still")
-    assert bench.state.search is Search.OFF_UNTIL_POWER_UP
+    assert bench.state.search is TvSearch.OFF_UNTIL_POWER_UP
     assert bench.sent_moves(since) == []
     bench.do(AcknowledgeFault("you"))
     bench.do(Release("you"))

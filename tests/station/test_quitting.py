@@ -9,7 +9,7 @@ from birdcage.station.requests import Follow, Goto, Home, Jog, Raw, TurnSkew
 
 from .conftest import Bench
 from .queued_bench import connected
-from .talk_bench import TalkBench
+from .raw_console_bench import TalkBench
 
 LATE = (Goto(90, 40, "you"), Follow(90, 40, "Gpredict"), Jog(5, 0, "you"), Home("you"))
 

@@ -8,7 +8,7 @@ from birdcage.detection import probe as module
 from birdcage.detection.probe import USUAL_BAUDS, Saw
 from birdcage.station.events import LinkChanged
 from birdcage.station.requests import Connect, Goto, Jog, ProbePort
-from birdcage.station.state import Link, Search
+from birdcage.station.state import LinkPhase, TvSearch
 
 from .conftest import Bench
 
@@ -48,7 +48,7 @@ def wrong():
     """A G2 that is addressed at 9600 baud, and is silent there (`docs/reference/g2.md`, *Line*)."""
     bench = Wires("g2?seed=1&wrong_baud=silent", {"baud": 9600})
     bench.step(3)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     return bench
 
 
@@ -61,13 +61,13 @@ def test_the_right_rate_is_found_by_enter_and_a_question_mark_where_it_answers(w
     assert wrong.sent_since(before)[:2] == [b"\r", b"\r?\r"]
     wrong.step(3)
     assert wrong.bauds()[-1] == 9600
-    assert wrong.state.link.state is Link.SILENT
+    assert wrong.state.link.state is LinkPhase.SILENT
 
 
 def test_connect_at_the_rate_that_was_found(wrong):
     wrong.do(Connect("sim:test", 115200))
     wrong.step(3)
-    assert wrong.state.link.state is Link.UP
+    assert wrong.state.link.state is LinkPhase.UP
     assert wrong.state.position is not None
 
 
@@ -96,7 +96,7 @@ def test_a_dish_that_answers_is_heard_at_its_own_rate_and_goes_on():
     # Closing the port beforehand sends nothing either: not a `q`, not an Enter.
     assert bench.sent_since(0)[: len(talked) + 1] == [*talked, b"\r?\r"]
     bench.step(3)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
 
 
 def test_it_says_at_which_rate_it_listens(wrong):
@@ -128,7 +128,7 @@ def test_a_motion_that_fell_silent_counts_until_it_must_have_ended():
     bench.step(0.2)
     bench.device.wire.to_host.silent = True
     bench.step(2.6)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     bench.step(10)
     assert bench.do(ProbePort((115200,)))[0].saw is Saw.SILENCE
 
@@ -167,7 +167,7 @@ def test_the_end_of_the_station_ends_the_listening(wrong):
     with pytest.raises(Stopped, match="ends"):
         future.result(0)
     wrong.station.shut()
-    assert wrong.state.link.state is Link.CLOSED
+    assert wrong.state.link.state is LinkPhase.CLOSED
 
 
 def test_a_port_that_cannot_be_opened_says_why_and_is_tried_again(wrong):
@@ -184,7 +184,7 @@ def test_a_port_that_cannot_be_opened_says_why_and_is_tried_again(wrong):
 def test_a_port_that_is_gone_is_not_probed():
     bench = Wires(options={"find_port": lambda port: None})
     bench.step(1)
-    assert bench.state.link.state is Link.LOST
+    assert bench.state.link.state is LinkPhase.LOST
     with pytest.raises(LinkError, match="plug it in") as gone:
         bench.do(ProbePort(), 2)
     assert gone.value.reason == "missing"
@@ -207,16 +207,16 @@ def test_rates_do_not_go_on_for_ever():
     assert 10 < sum(each.waited_s for each in findings) < 21
 
 
-@pytest.mark.parametrize("state", [Link.OPENING, Link.UP, Link.SILENT, Link.LOST])
+@pytest.mark.parametrize("state", [LinkPhase.OPENING, LinkPhase.UP, LinkPhase.SILENT, LinkPhase.LOST])
 def test_connect_works_in_every_state(state):
     bench = Wires()
-    if state is Link.UP:
+    if state is LinkPhase.UP:
         bench.connect()
-    elif state is Link.SILENT:
+    elif state is LinkPhase.SILENT:
         bench.device.power_off()
         bench.step(3)
         bench.device.power_on()
-    elif state is Link.LOST:
+    elif state is LinkPhase.LOST:
         bench.refuse = {"sim:test"}
         bench.step(1)
     else:
@@ -226,7 +226,7 @@ def test_connect_works_in_every_state(state):
     bench.do(Connect("sim:other", 115200), 5)
     assert bench.state.port == "sim:other"
     bench.step(60)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.asked[-1][:2] == ("sim:other", 115200)
     # Those who ring for STOP by the name of the port find this program under the new one alone.
     assert bench.state.port == bench.station.asked_port == "sim:other"
@@ -242,13 +242,13 @@ def test_what_was_known_of_the_other_dish_is_forgotten():
     bench.do(Connect("sim:other"), 5)
     bench.step(1)
     state = bench.state
-    assert state.link.state is Link.LOST
+    assert state.link.state is LinkPhase.LOST
     assert state.position is state.homed is state.firmware_version is state.target_az_deg is None
-    assert state.search is Search.UNKNOWN
+    assert state.search is TvSearch.UNKNOWN
     assert not state.readings
     bench.refuse = set()
     bench.step(10)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     # A step is from where this dish is, not from where the other was sent.
     bench.do(Jog(1.0, 0.0, "test"))
     assert bench.state.fault is None
@@ -258,4 +258,4 @@ def test_none_is_the_firmwares_own_rate(wrong):
     wrong.do(Connect("sim:test", None))
     wrong.step(3)
     assert wrong.bauds()[-1] == 115200
-    assert wrong.state.link.state is Link.UP
+    assert wrong.state.link.state is LinkPhase.UP

@@ -18,7 +18,7 @@ from birdcage.sim.server import Server
 from birdcage.station.build import open_session
 from birdcage.station.known import look_at_system
 from birdcage.station.requests import Connect, ProbePort
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 
 @pytest.fixture
@@ -49,7 +49,7 @@ def test_from_a_wrong_rate_to_a_dish_that_answers(pty_path, tmp_path):
     )  # fmt: skip
     session.start()
     try:
-        wait_for(session, Link.SILENT)
+        wait_for(session, LinkPhase.SILENT)
         findings = session.station.submit(ProbePort()).result(20)
         assert [(each.baud, each.saw) for each in findings] == [(9600, Saw.SILENCE), (115200, Saw.PROMPT)]
         silent = session.station.state.link
@@ -57,7 +57,7 @@ def test_from_a_wrong_rate_to_a_dish_that_answers(pty_path, tmp_path):
         remedy = find_causes(case)[0]
         assert remedy.use_baud == 115200
         session.station.submit(Connect(pty_path, remedy.use_baud)).result(20)
-        wait_for(session, Link.UP)
+        wait_for(session, LinkPhase.UP)
     finally:
         session.close()
     written = "".join(path.read_text() for path in Paths.in_folder(tmp_path).transcripts.glob("*.txt"))

@@ -13,7 +13,7 @@ from birdcage.sim.port import open_device
 from birdcage.station.build import open_session
 from birdcage.station.events import LinkChanged
 from birdcage.station.requests import Goto
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 
 class Live:
@@ -29,7 +29,7 @@ class Live:
         self.station.subscribe(self._hear)
 
     def _hear(self, event):
-        if isinstance(event, LinkChanged) and event.link.state in (Link.UP, Link.SILENT):
+        if isinstance(event, LinkChanged) and event.link.state in (LinkPhase.UP, LinkPhase.SILENT):
             self.link.set()
 
     def begin(self):

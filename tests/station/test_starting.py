@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 from .queued_bench import QueuedBench, connected
 
@@ -13,7 +13,7 @@ def silent() -> QueuedBench:
     bench.device.wire.to_dish.silent = True
     bench.watch("position")
     bench.step(6.0)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     return bench
 
 

@@ -1,6 +1,6 @@
 """Which lines are a pursuit's own steps: asked as each goes out, and never said of STOP or of anybody else's motion."""
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Jog, Pursue
 
 from .pursuit_bench import at, g2, plan_of

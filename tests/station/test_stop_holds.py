@@ -17,7 +17,7 @@ from birdcage.station.requests import (
     TurnSkew,
     Watch,
 )
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -202,10 +202,10 @@ def check(watched, story, seconds):
     watched.bench.device.wire.to_host.silent = False
     for _ in range(30):
         watched.step(5)
-        if all(future.done() for future in futures) and watched.bench.state.link.state is Link.UP:
+        if all(future.done() for future in futures) and watched.bench.state.link.state is LinkPhase.UP:
             break
     assert watched.wrong == []
-    assert watched.bench.state.link.state is Link.UP
+    assert watched.bench.state.link.state is LinkPhase.UP
     for future in futures:
         assert future.done()
         assert future.exception(0) is None or isinstance(future.exception(0), BirdcageError)

@@ -9,7 +9,7 @@ from birdcage.base.errors import BirdcageError, CommandRefused, Held, NoReply, S
 from birdcage.sim.wire import Byte
 from birdcage.station.events import HeldChanged
 from birdcage.station.requests import Goto, Home, Jog, Release, ReleaseMotors
-from birdcage.station.state import Activity, Link, Turn
+from birdcage.station.state import Activity, LinkPhase, Turn
 
 from .conftest import Bench
 
@@ -101,11 +101,11 @@ def test_unplugged_right_after_stop_the_station_goes_on(bench):
     bench.station.stop("you")
     bench.device.unplug()
     bench.step(3)
-    assert bench.state.link.state is Link.LOST
+    assert bench.state.link.state is LinkPhase.LOST
     assert bench.state.last_stop.confirmed is False
     bench.device.plug()
     bench.step(10)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert bench.state.position_lost is None
     assert bench.state.activity is Activity.IDLE
 
@@ -116,11 +116,11 @@ def test_silent_right_after_stop_was_answered(bench):
     bench.step(0.06)
     bench.device.wire.to_host.silent = True
     bench.step(20)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     assert bench.state.last_stop.confirmed is False
     bench.device.wire.to_host.silent = False
     bench.step(10)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
 
 
 def test_a_release_that_was_asked_before_stop_does_not_undo_it(bench):
@@ -191,14 +191,14 @@ def test_a_motion_asked_for_while_silent_does_not_close_the_port(bench):
     bench.device.wire.to_host.silent = True
     bench.watch("position")
     bench.step(5)
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     ports = len(bench.opened)
     with pytest.raises(BirdcageError):
         bench.do(Goto(210, 45, "you"))
-    assert bench.state.link.state is Link.SILENT
+    assert bench.state.link.state is LinkPhase.SILENT
     bench.device.wire.to_host.silent = False
     bench.step(8)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
     assert len(bench.opened) == ports
 
 
@@ -210,7 +210,7 @@ def test_a_client_that_asks_all_the_time_does_not_put_off_the_reconnection(bench
     for _ in range(60):
         bench.station.submit(Goto(100, 40, "Gpredict"))
         bench.step(0.2)
-    assert bench.state.link.state is Link.UP
+    assert bench.state.link.state is LinkPhase.UP
 
 
 def test_a_goto_that_is_not_answered_holds_like_any_lost_motion(bench):
@@ -360,7 +360,7 @@ def test_a_dish_that_refuses_the_position_query_is_no_crash(bench):
     bench.step(2)
     bench.device.shell.menu = "dvb"
     bench.step(10)
-    assert bench.state.link.state in (Link.UP, Link.SILENT)
+    assert bench.state.link.state in (LinkPhase.UP, LinkPhase.SILENT)
 
 
 def test_a_goto_right_after_a_release_is_not_stopped_by_the_stop_before_it(bench):
@@ -392,6 +392,6 @@ def test_a_dish_that_answers_stop_after_a_silence_has_a_link_and_a_position(benc
         bench.step(0.1)
         state = bench.state
         seen.append((state.link.state, state.position is not None and state.position_lost is None))
-    assert (Link.SILENT, False) in seen
-    assert (Link.SILENT, True) not in seen
-    assert seen[-1] == (Link.UP, True)
+    assert (LinkPhase.SILENT, False) in seen
+    assert (LinkPhase.SILENT, True) not in seen
+    assert seen[-1] == (LinkPhase.UP, True)

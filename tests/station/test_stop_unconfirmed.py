@@ -9,9 +9,9 @@ from birdcage.base.errors import LinkError
 from birdcage.station.report import status_report
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import Activity
-from birdcage.station.stop_pending import Reach
+from birdcage.station.stop_pending import StopReach
 from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.view import View
 
 from .conftest import Bench
@@ -135,7 +135,7 @@ def test_a_stop_that_is_not_confirmed_names_the_power(scene):
 
 
 def view_of(bench):
-    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppSettings())
+    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppOptions())
 
 
 def test_one_that_is_confirmed_does_not():
@@ -159,9 +159,9 @@ def test_what_the_port_did_not_take_is_sent_again():
     bench.sim.write = fail_once
     before = bench.device.truth().az_deg
     bench.station.stop("you")
-    assert bench.station.stop_reach is Reach.NOT
+    assert bench.station.stop_reach is StopReach.NOT
     bench.step(2)
-    assert bench.station.stop_reach is Reach.SENT
+    assert bench.station.stop_reach is StopReach.SENT
     assert not bench.device.truth().moving
     assert before < bench.device.truth().az_deg < before + 20
     bench.step(6)

@@ -6,7 +6,7 @@ import pytest
 from birdcage.console.codec import MARK
 from birdcage.station.requests import Watch
 from birdcage.station.session import Session
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 from birdcage.station.station import Station
 
 from .conftest import Bench
@@ -25,7 +25,7 @@ class Commands(Bench):
         self.station = Station(self.clock, settings)
         self.session = Session(self.clock, self.station)
         self.station.submit(Watch("test", frozenset({"position"})))
-        while self.state.link.state is not Link.UP or (survey and not self.state.surveyed):
+        while self.state.link.state is not LinkPhase.UP or (survey and not self.state.surveyed):
             self.step(0.01)
             assert self.clock.monotonic() - began < 30.0
         took_s = self.clock.monotonic() - began

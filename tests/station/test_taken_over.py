@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LeaseDenied, MotionRefused
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Jog, TurnSkew
 from birdcage.station.state import Activity
 

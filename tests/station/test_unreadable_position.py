@@ -7,7 +7,7 @@ import re
 import pytest
 from birdcage.base.errors import PositionUnknown
 from birdcage.station.requests import Goto, Home
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from .conftest import Bench
 
@@ -51,7 +51,7 @@ def test_a_g2_that_prints_no_angle_is_told_so_and_can_be_homed(printed):
     print_instead(bench, printed)
     bench.connect(8.0)
     lost = "unhomed" if printed.startswith(("not", "Axis")) else "unreadable"
-    assert (bench.state.link.state, bench.state.position_lost) == (Link.UP, lost)
+    assert (bench.state.link.state, bench.state.position_lost) == (LinkPhase.UP, lost)
     assert bench.state.position is None
     assert (bench.state.held, bench.state.fault) == (None, None)
     if lost == "unreadable":
@@ -70,7 +70,7 @@ def test_a_dish_whose_position_stays_unreadable_is_homed_all_the_same():
     bench.connect(8.0)
     bench.do(Home("test"), 60.0)
     assert [line for line in bench.lines() if line.startswith("h ")] == ["h 0", "h 1"]
-    assert (bench.state.position_lost, bench.state.link.state) == ("unreadable", Link.UP)
+    assert (bench.state.position_lost, bench.state.link.state) == ("unreadable", LinkPhase.UP)
 
 
 def print_instead(bench: Bench, printed: str, *, always: bool = False) -> None:

@@ -15,9 +15,9 @@ from birdcage.sky.passes.search import search
 from birdcage.sky.propagate import Fleet
 from birdcage.sky.targets.model import Satellite
 from birdcage.station.mounting import mount_of
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Release
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.rehearsal import rehearse
 from birdcage.tracking.steering.modelled import modelled
@@ -60,7 +60,7 @@ def chosen(low_deg, high_deg, rewinds):
     for satellite, passing in passes():
         if low_deg < passing.max_elevation_deg < high_deg and not passing.already_up:
             plan = plan_for(bench, satellite, passing)
-            if plan.legs and [leg.part for leg in plan.legs].count(Part.REWIND) == rewinds:
+            if plan.legs and [leg.part for leg in plan.legs].count(PlanPart.REWIND) == rewinds:
                 return satellite, passing
     raise AssertionError("there is no such pass")
 
@@ -84,7 +84,7 @@ def test_a_pass_is_followed_at_least_as_well_as_foreseen(guess, low_deg, high_de
     errors = []
     for leg in plan.legs:
         bench.step(max(0.0, leg.start_s + SETTLED_S - at(bench)))
-        while leg.part is Part.FOLLOW and at(bench) < leg.end_s - 1.0:
+        while leg.part is PlanPart.FOLLOW and at(bench) < leg.end_s - 1.0:
             truth = bench.device.truth()
             errors.append(separation(truth.az_deg, truth.el_deg, *plan.sky.at(at(bench))))
             bench.step(0.5)

@@ -8,7 +8,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.facts import SecondMove
 from birdcage.station.events import ActivityChanged, MoveEnded, StopSent
 from birdcage.station.requests import Goto, Jog, Release
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 from .conftest import Bench
 
@@ -65,7 +65,7 @@ def test_a_goto_arrives_and_nothing_is_called_silent():
     assert future.result(0) is not None
     assert bench.state.held is None
     assert bench.state.fault is None
-    assert not [e for e in bench.events if type(e).__name__ == "LinkChanged" and e.link.state is Link.SILENT]
+    assert not [e for e in bench.events if type(e).__name__ == "LinkChanged" and e.link.state is LinkPhase.SILENT]
 
 
 def test_while_it_waits_it_is_shown_on_its_way_and_busy_with_the_last_move():

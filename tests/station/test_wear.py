@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.wear import WearBook, read_wear
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto
 from birdcage.station.wear import dish_key, keep_wear
 

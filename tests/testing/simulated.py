@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.base.errors import LinkError
 from birdcage.link.link import Link
 from birdcage.sim.port import SimPort, open_device
-from birdcage.testing import Taken, Truth, Twin
+from birdcage.testing import SeenCommand, Truth, Twin
 
 
 class SimTwin(Twin):
@@ -29,7 +29,7 @@ class SimTwin(Twin):
         with self.device.lock:
             self.device.machine.run()
             lines = [(at, self._moves(line)) for at, line in self.device.shell.received]
-        return [Taken(at, frozenset(motors)) for at, motors in lines if motors]
+        return [SeenCommand(at, frozenset(motors)) for at, motors in lines if motors]
 
     def received(self):
         with self.device.lock:

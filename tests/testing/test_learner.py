@@ -16,8 +16,8 @@ from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, St
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import LimitSource
 from birdcage.station.stop_words import stop_line
-from birdcage.testing import Bench, Contract, Stage, StopScene
-from birdcage_tui.settings import AppSettings
+from birdcage.testing import Contract, Stage, StopScene, TestBench
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.view import View
 from birdcage_tui.words import motion_text
 from installed_toys import installed
@@ -33,7 +33,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return Bench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
+    return TestBench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
 
 
 def known(monkeypatch, learner, **facts):
@@ -210,7 +210,7 @@ def test_no_time_of_arrival_is_invented(bench, twins, speed_deg_s):
         stage.ready()
         move = stage.station.submit(Goto(180.0, 50.0, "you"))
         stage.step(0.5)
-        view = View(stage.state, stage.clock.monotonic(), stage.clock.utc(), AppSettings())
+        view = View(stage.state, stage.clock.monotonic(), stage.clock.utc(), AppOptions())
         assert re.fullmatch(r"SLEWING \d+\.\d° to go", motion_text(view))
         assert view.progress is None
         stage.until(move.done, 100.0, "it arrived")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.rotator import machines
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station.requests import Goto, Read, Set, SetSearch
-from birdcage.station.state import Activity, Search
-from birdcage.testing import Bench, Contract, Stage, StopScene
+from birdcage.station.state import Activity, TvSearch
+from birdcage.testing import Contract, Stage, StopScene, TestBench
 from installed_toys import installed
 
 
@@ -23,7 +23,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return Bench("pushy", twins.PushyTwin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+    return TestBench("pushy", twins.PushyTwin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
 
 
 class TestPushy(Contract):
@@ -35,7 +35,7 @@ class TestPushy(Contract):
 def test_the_host_chooses_the_turn(bench, twins, turn_deg, az_deg, sent_deg):
     with Stage(bench, lambda clock: twins.PushyTwin(clock, turn_deg)) as stage:
         stage.ready()
-        assert stage.state.turn is Turn.REPORTED
+        assert stage.state.turn is CableTurn.REPORTED
         assert stage.state.position.cable_deg == pytest.approx(turn_deg)
         stage.do(Goto(az_deg, 40.0, "you"))
         assert stage.twin.motors[0].deg == pytest.approx(sent_deg)
@@ -46,7 +46,7 @@ def test_the_host_chooses_the_turn(bench, twins, turn_deg, az_deg, sent_deg):
 def test_it_has_no_tv_search_to_end(bench):
     with Stage(bench) as stage:
         stage.ready()
-        assert stage.state.search is Search.NONE
+        assert stage.state.search is TvSearch.NONE
         for disabled in (True, False):
             error = stage.refused(SetSearch("you", disabled), CommandRefused)
             assert str(error) == "The Pushy has no TV search. Nothing was sent."

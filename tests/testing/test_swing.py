@@ -17,8 +17,8 @@ from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import ApplySettings, Goto, Jog, Release, Watch
-from birdcage.station.state import Link
-from birdcage.testing import Bench, Contract, Stage, StopScene
+from birdcage.station.state import LinkPhase
+from birdcage.testing import Contract, Stage, StopScene, TestBench
 from birdcage.testing.passing import refuses_passes
 from installed_toys import installed
 
@@ -35,7 +35,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return Bench(
+    return TestBench(
         "swing", twins.SwingTwin, stops=(StopScene("command", (60.0, 0.0), 4.0),), near_deg=0.15,
         settings={"site": SITE},
     )  # fmt: skip
@@ -118,7 +118,7 @@ def test_no_go_sectors_are_judged_along_the_arc(bench):
 
 
 def test_in_the_south_its_arc_leads_through_north(twins):
-    bench = Bench(
+    bench = TestBench(
         "swing", lambda clock: twins.SwingTwin(clock, -33.0), (), near_deg=0.15, settings={"site": Site(-33.0, 18.0)}
     )
     with Stage(bench) as stage:
@@ -144,7 +144,7 @@ def test_without_a_location_it_has_no_direction_and_says_so(nowhere):
     with Stage(nowhere) as stage:
         stage.station.submit(Watch("you", frozenset({"position"}), 2.0))
         stage.step(10.0)
-        assert stage.state.link.state is Link.UP
+        assert stage.state.link.state is LinkPhase.UP
         assert stage.state.position is None
         assert stage.state.position_lost == "no_direction"
         said = "The Swing has no azimuth and elevation. Its arc depends on where it stands: set your location"

@@ -13,14 +13,14 @@ from birdcage.antenna.motion import start_motion
 from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.protocol.carryout.protocol import CarryoutProtocol
 from birdcage.rotator.facts import Facts, Readback, SearchSwitch
-from birdcage.rotator.feature import Feature, Kind, Reading, Writer
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.feature import Feature, FeatureKind, Reading, Writer
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look, Position, Taken
-from birdcage.station import look as dish_look
+from birdcage.station import dish_reader
 from birdcage.station.stopper import Stopper
-from birdcage.testing import Bench, ConsoleScene, Contract, StopScene
+from birdcage.testing import ConsoleScene, Contract, StopScene, TestBench
 from installed_toys import installed
 
 from .simulated import sim
@@ -157,8 +157,8 @@ def counts_an_azimuth_otherwise(patch, machine, twin):
 
 
 def has_a_lamp_that_is_never_lit(patch, machine, twin):
-    lamp = Feature("lamp", "Lamp", kind=Kind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
-    table = FeatureTable(Row(lamp, write=lambda _machine, on: {"lamp": on}))
+    lamp = Feature("lamp", "Lamp", kind=FeatureKind.SWITCH, writer=Writer.UNTIL_RESTART, told=False)
+    table = FeatureTable(FeatureRow(lamp, write=lambda _machine, on: {"lamp": on}))
     patch.setattr(machine, "feature_table", table)
     patch.setattr(machine, "facts", replace(machine.facts, features=table.features))
 
@@ -202,16 +202,16 @@ def is_read_in_motion(patch, machine, twin):
 
 
 def calls_itself_homed(patch):
-    reader = dish_look.Look
+    reader = dish_reader.DishReader
     unknown, position = reader.unknown, reader.position
 
     def homed(look, *args, **more):
         pointing = position(look, *args, **more)
-        look._board.change(homed=True)
+        look._store.change(homed=True)
         return pointing
 
     patch.setattr(reader, "position", homed)
-    patch.setattr(reader, "unknown", lambda look, why: (unknown(look, why), look._board.change(homed=True)))
+    patch.setattr(reader, "unknown", lambda look, why: (unknown(look, why), look._store.change(homed=True)))
 
 
 def confirms_its_stop(patch):
@@ -242,7 +242,9 @@ def pretends_to_tell(patch):
 ])  # fmt: skip
 def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, case):
     scene = StopScene("none", (100.0, 20.0), 2.0, reaches_target=True)
-    bench = Bench("carryout", sim("carryout?seed=1"), stops=(scene,), console=ConsoleScene("?", "g <az>", "g 100 40"))
+    bench = TestBench(
+        "carryout", sim("carryout?seed=1"), stops=(scene,), console=ConsoleScene("?", "g <az>", "g 100 40")
+    )
     getattr(Contract(), case)(bench)
     breach(monkeypatch)
     with pytest.raises(AssertionError):
@@ -285,7 +287,7 @@ def never_halts(patch):
 def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
     from birdcage_toys import swing_twin
 
-    bench = Bench(
+    bench = TestBench(
         "swing", swing_twin.SwingTwin, stops=(StopScene("command", (60.0, 0.0), 4.0),), near_deg=0.15,
         settings={"site": Site(48.0, 11.0)},
     )  # fmt: skip
@@ -323,7 +325,7 @@ def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
 ])  # fmt: skip
 def test_a_breach_is_seen(toys, monkeypatch, breach, case):
     machine, twin = toys
-    bench = Bench("pushy", twin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+    bench = TestBench("pushy", twin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
     breach(monkeypatch, machine, twin)
     with pytest.raises((AssertionError, BirdcageError)):
         getattr(Contract(), case)(bench)

@@ -10,9 +10,9 @@ from birdcage.antenna.motion import plan_axis
 from birdcage.base.geometry import separation
 from birdcage.kinematics import Slew
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.steps import Answer, Limit, Look, Send, Wait
+from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Send, StepResult, Wait
 
 REPLY_S = 0.0026
 """The answer on its way, at 115200 baud."""
@@ -59,9 +59,9 @@ class Rig:
         self.ends = []
         self.speeds = {}
 
-    def helm(self, **changes):
+    def guide(self, **changes):
         az, el = self.course.at(self.now)
-        return Helm(
+        return ControllerInput(
             course=lambda: self.course, model=self.model, start_az_deg=az, start_el_deg=el, now_s=self.now,
             until_s=changes.pop("until_s", self.course.end_s), from_s=self.course.start_s,
             answered=changes.pop("answered", self.answered()), delay_s=DELAY_S, **changes,
@@ -73,7 +73,7 @@ class Rig:
         return next((n for n in range(1000) if chance.random() < self.unanswered), 1000)
 
     def run(self, controller, *, each=None, **changes):
-        activity = controller(self.helm(**changes))
+        activity = controller(self.guide(**changes))
         answer = None
         for _ in range(100_000):
             try:
@@ -90,23 +90,23 @@ class Rig:
         sent = self.now
         if isinstance(step, Wait):
             self.now = max(self.now, step.until_s)
-            return Answer(self.now)
-        if isinstance(step, Limit):
+            return StepResult(self.now)
+        if isinstance(step, LimitSpeeds):
             return self.limit(step, sent)
         self.now = max(self.now, self.quiet_at) + self.random.uniform(*self.latency)
         answered = self.random.random() >= self.unanswered
-        if isinstance(step, Look):
+        if isinstance(step, ReadPosition):
             if not self.tells or not answered:
                 self.now += 0.0 if answered else LATE_S
-                return Answer(self.now)
-            return Answer(self.now, az_deg=self.at(0) % 360.0, el_deg=self.at(1), seen_s=self.now)
+                return StepResult(self.now)
+            return StepResult(self.now, az_deg=self.at(0) % 360.0, el_deg=self.at(1), seen_s=self.now)
         assert isinstance(step, Send)
         if self.random.random() >= self.lost:
             self.move(step)
         if self.mode == "blocking":
             self.now = max(self.now, self.ends[-1])
         self.now += REPLY_S if answered else LATE_S
-        return Answer(self.now, sent_s=sent if answered else None)
+        return StepResult(self.now, sent_s=sent if answered else None)
 
     def limit(self, step, sent):
         """There and back through the menus; an answer that is lost there is waited for in full (decision 0003)."""
@@ -115,9 +115,9 @@ class Rig:
             self.now += self.random.uniform(*self.latency)
             if self.random.random() < self.unanswered:
                 self.now, self.quiet_at = self.now + DELAY_S, self.now + 2 * DELAY_S
-                return Answer(self.now)
+                return StepResult(self.now)
         self.speeds |= step.speeds_deg_s
-        return Answer(self.now, sent_s=sent)
+        return StepResult(self.now, sent_s=sent)
 
     def move(self, step):
         axis = self.model.axis(step.axis)

@@ -13,7 +13,7 @@ from birdcage.rotator.facts import Readback
 from birdcage.tracking.steering.choice import controller_for
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.leapfrogging import leapfrog
-from birdcage.tracking.steps import Look
+from birdcage.tracking.steps import ReadPosition
 
 from .rig import Rig, straight
 
@@ -49,7 +49,7 @@ def test_leapfrog_is_there_by_name():
 
 def test_leapfrog_reads_once_a_second_and_aims_beyond_by_the_table():
     rig = Rig(straight(1.8, 0.0, seconds=20), latency=(0.05, 0.05)).run(leapfrog)
-    assert sum(isinstance(step, Look) for _, step in rig.steps) == 20
+    assert sum(isinstance(step, ReadPosition) for _, step in rig.steps) == 20
     beyond = [step.deg - rig.course.at(at)[0] for at, step in rig.sends(0)]
     assert beyond[3:] == pytest.approx(np.full(len(beyond) - 3, 0.5), abs=0.02)  # 1.3 degrees behind: half a degree
     assert not rig.sends(1)

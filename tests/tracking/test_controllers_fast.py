@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.steering.fast import fast
-from birdcage.tracking.steps import Look, Send, Wait
+from birdcage.tracking.steps import ReadPosition, Send, Wait
 
 from .rig import Rig, straight
 
@@ -80,7 +80,7 @@ def test_commands_are_whole_steps():
 
 def test_position_is_read_once_a_second():
     rig = Rig(straight(0.5, 0.5, seconds=30)).run(fast)
-    looks = [at for at, step in rig.steps if isinstance(step, Look)]
+    looks = [at for at, step in rig.steps if isinstance(step, ReadPosition)]
     assert len(looks) == pytest.approx(30, abs=2)
 
 
@@ -117,7 +117,7 @@ def test_course_that_is_replaced_is_followed_from_then_on():
 
 def test_closing_it_in_mid_leg_sends_nothing_more():
     rig = Rig(straight(0.5, 0.1))
-    activity = fast(rig.helm())
+    activity = fast(rig.guide())
     step = next(activity)
     while not isinstance(step, Send):
         step = activity.send(rig.do(step))

@@ -14,7 +14,7 @@ from birdcage.tracking.move_times import durations, progress, ramps
 from birdcage.tracking.steering.lookahead import Lookahead
 from birdcage.tracking.steering.modelled import modelled
 from birdcage.tracking.steering.queued import queued
-from birdcage.tracking.steps import Look, Send
+from birdcage.tracking.steps import ReadPosition, Send
 
 from .rig import Rig, straight
 
@@ -87,7 +87,7 @@ def test_course_that_is_replaced_is_followed_from_then_on():
 
 def test_position_is_read_about_once_a_second_between_commands():
     rig = Rig(straight(0.5, 0.2, seconds=30), SLOW, "queue").run(queued)
-    assert sum(isinstance(step, Look) for _, step in rig.steps) == pytest.approx(28, abs=4)
+    assert sum(isinstance(step, ReadPosition) for _, step in rig.steps) == pytest.approx(28, abs=4)
 
 
 @pytest.mark.parametrize(("model", "mode"), [(SLOW, "queue"), (None, "retarget")])

@@ -11,7 +11,7 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.velocity import velocity
-from birdcage.tracking.steps import Limit, Send
+from birdcage.tracking.steps import LimitSpeeds, Send
 
 from .rig import DELAY_S, Rig, straight
 
@@ -59,14 +59,14 @@ def test_it_is_on_the_course_from_the_first_moment():
     """The speeds are set before the target comes: no step to begin with, and no round that begins behind it."""
     rig = waiting(straight(1.0, 0.3, seconds=30)).run(velocity)
     assert rig.errors(settle_s=0.0, until_s=1003.0).max() < 0.12
-    kinds = "".join(type(step).__name__[0] for _, step in rig.steps if isinstance(step, Limit | Send))
+    kinds = "".join(type(step).__name__[0] for _, step in rig.steps if isinstance(step, LimitSpeeds | Send))
     assert kinds.startswith("LSSLSSLSS")
 
 
 def test_each_move_goes_at_the_speed_of_the_target():
     """Until the dish gets its own speeds back, five seconds before the end."""
     rig = waiting(straight(1.0, 0.0, seconds=35)).run(velocity)
-    speeds = [step.speeds_deg_s[0] for at, step in rig.steps if isinstance(step, Limit) and 1005.0 < at < 1029.0]
+    speeds = [step.speeds_deg_s[0] for at, step in rig.steps if isinstance(step, LimitSpeeds) and 1005.0 < at < 1029.0]
     assert len(speeds) > 20
     assert speeds == pytest.approx([1.0] * len(speeds), rel=0.1)
 
@@ -84,7 +84,7 @@ def test_a_target_that_stands_still_is_left_alone():
 
 def test_it_steps_where_the_line_has_just_lost_an_answer():
     rig = waiting(straight(1.0, 0.3, seconds=20)).run(velocity, answered=20)
-    assert [step for _, step in rig.steps if isinstance(step, Limit)] == []
+    assert [step for _, step in rig.steps if isinstance(step, LimitSpeeds)] == []
 
 
 def test_a_late_round_does_not_stop_the_axis():
@@ -95,11 +95,11 @@ def test_a_late_round_does_not_stop_the_axis():
 def test_it_does_not_glide_where_it_joins_in_mid_pass():
     """To match the speeds then, it would have to stand for a round, or for as long as a lost answer takes."""
     rig = Rig(straight(1.0, 0.3, seconds=30)).run(velocity)
-    assert [step for _, step in rig.steps if isinstance(step, Limit)] == []
+    assert [step for _, step in rig.steps if isinstance(step, LimitSpeeds)] == []
     assert rig.rms() == pytest.approx(Rig(straight(1.0, 0.3, seconds=30)).run(fast).rms())
 
 
-@pytest.mark.parametrize("kind", [Limit, Send])
+@pytest.mark.parametrize("kind", [LimitSpeeds, Send])
 @pytest.mark.parametrize("at_s", [1015.0, 1040.0])
 def test_the_dish_goes_on_while_the_line_is_silent_after_a_lost_answer(kind, at_s):
     rig = waiting(straight(1.0, 0.2, seconds=60)).run(velocity, each=losing(at_s, kind))
@@ -108,11 +108,11 @@ def test_the_dish_goes_on_while_the_line_is_silent_after_a_lost_answer(kind, at_
     assert rig.errors(settle_s=8.0).max() < 0.16
 
 
-@pytest.mark.parametrize("kind", [Limit, Send])
+@pytest.mark.parametrize("kind", [LimitSpeeds, Send])
 def test_from_the_first_lost_answer_on_it_steps_at_the_speeds_of_the_dish(kind):
     rig = waiting(straight(1.0, 0.2, seconds=60)).run(velocity, each=losing(1020.0, kind))
     lost_s = next(at for at, step in rig.steps if at >= 1020.0 and isinstance(step, kind))
-    limits = [step.speeds_deg_s for at, step in rig.steps if at > lost_s and isinstance(step, Limit)]
+    limits = [step.speeds_deg_s for at, step in rig.steps if at > lost_s and isinstance(step, LimitSpeeds)]
     assert limits == [{0: 65.0, 1: 45.0}]
     assert rig.speeds == {0: 65.0, 1: 45.0}
     assert len([at for at, _ in rig.sends(0) if at > 1030.0]) > 100, "it does not step"
@@ -120,9 +120,9 @@ def test_from_the_first_lost_answer_on_it_steps_at_the_speeds_of_the_dish(kind):
 
 def test_it_has_its_own_speeds_when_the_leg_ends():
     """A rewind may begin then, and go at them at once, whatever answer is lost before."""
-    for faults in (None, losing(1026.0, Limit)):
+    for faults in (None, losing(1026.0, LimitSpeeds)):
         rig = waiting(straight(1.0, 0.2, seconds=35)).run(velocity, each=faults)
-        restored = [at for at, step in rig.steps if isinstance(step, Limit)][-1]
+        restored = [at for at, step in rig.steps if isinstance(step, LimitSpeeds)][-1]
         assert restored < 1035.0 - 3.0
         assert rig.now < 1035.3
 
@@ -142,7 +142,7 @@ def test_an_axis_that_never_rests_is_sent_as_far_as_its_overshoot_would_carry_it
 
 def test_an_answer_lost_while_it_waits_costs_nothing():
     stepped = waiting(straight(1.0, 0.2, seconds=30)).run(fast)
-    rig = waiting(straight(1.0, 0.2, seconds=30)).run(velocity, each=losing(0.0, Limit))
+    rig = waiting(straight(1.0, 0.2, seconds=30)).run(velocity, each=losing(0.0, LimitSpeeds))
     assert rig.speeds == {0: 65.0, 1: 45.0}
     assert rig.errors(settle_s=0.0).max() < 1.3 * stepped.errors(settle_s=0.0).max()
 

@@ -12,13 +12,13 @@ from birdcage.base.beam import Beam
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.plan_words import plan_lines
 from birdcage.tracking.planning.bounds import Bounds
 from birdcage.tracking.planning.forecast import separations_deg
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.routes import route
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 
 from .orbits import NOW, NOW_S, PLACE, g2, mount, overhead, plan_of, travler
 
@@ -26,7 +26,7 @@ from .orbits import NOW, NOW_S, PLACE, g2, mount, overhead, plan_of, travler
 def off_deg(plan, alignment=None):
     """The angle between course and sky while it follows."""
     alignment = alignment or Alignment()
-    times = np.concatenate([np.arange(leg.start_s, leg.end_s, 0.2) for leg in plan.legs if leg.part is Part.FOLLOW])
+    times = np.concatenate([np.arange(leg.start_s, leg.end_s, 0.2) for leg in plan.legs if leg.part is PlanPart.FOLLOW])
     az, el = plan.course.sample(times)
     true = np.array([alignment.to_true(a % 360.0, e) for a, e in zip(az, el, strict=True)])
     return separations_deg(true[:, 0], true[:, 1], *plan.sky.sample(times))
@@ -38,7 +38,7 @@ def test_a_pass_well_inside_the_limits_is_followed_exactly(alignment):
     plan = plan_of(4.0, on)
     assert 55.0 < plan.passing.max_elevation_deg < 62.0
     assert off_deg(plan, alignment).max() < 1e-3
-    assert [leg.part for leg in plan.legs] == [Part.FOLLOW]
+    assert [leg.part for leg in plan.legs] == [PlanPart.FOLLOW]
     assert (plan.keyholes, plan.share, plan.refined) == ((), None, True)
     assert plan.forecast.rms_deg < 0.05
 
@@ -95,7 +95,7 @@ def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
     """A pass of the space station across north: azimuth 249 to 402 on a cable from -423 to 23."""
     plan = plan_of(-2.0, orbit={"inclination_deg": 51.6, "height_km": 420.0})
     before, rewind, after = plan.legs
-    assert [leg.part for leg in plan.legs] == [Part.FOLLOW, Part.REWIND, Part.FOLLOW]
+    assert [leg.part for leg in plan.legs] == [PlanPart.FOLLOW, PlanPart.REWIND, PlanPart.FOLLOW]
     taken = route(Bounds.of(mount()), g2(), (rewind.from_az_deg, 40.0), (rewind.to_az_deg, 38.0))
     assert taken.seconds == pytest.approx(6.0, abs=0.1)
     assert rewind.end_s - rewind.start_s == pytest.approx(1.1 * taken.seconds + 3 * 1.0, abs=0.1), "no time for stops"
@@ -131,7 +131,7 @@ def test_the_target_is_followed_as_soon_as_a_rewind_can_end(aside_deg):
     assert after.start_s == pytest.approx(rewind.end_s, abs=0.01)
     here = plan.course.at(before.end_s)
     for sooner_s in (2.0, 6.0, 12.0):
-        target = Sight.of(plan.sky, on).at(after.start_s - sooner_s, after.turn)
+        target = TargetTrack.of(plan.sky, on).at(after.start_s - sooner_s, after.turn)
         needed = route(Bounds.of(on), on.model, here, target)
         assert needed.worst_s > after.start_s - sooner_s - before.end_s
 

@@ -12,7 +12,7 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.values import Position
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import NoGo
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.rates import mean_rate_deg_s
 from hypothesis import given, settings
@@ -94,13 +94,13 @@ def assert_sound(plan, on):
     assert not on.limits.no_go or not blocked(on, az[::3], el[::3]).any()
     for before, after in zip(plan.legs, plan.legs[1:], strict=False):
         assert before.end_s <= after.start_s
-        if before.part is after.part is Part.FOLLOW:
+        if before.part is after.part is PlanPart.FOLLOW:
             assert before.turn == after.turn
     for leg in plan.legs:
-        if leg.part is Part.REWIND:
+        if leg.part is PlanPart.REWIND:
             assert [one.at_s for one in plan.incidents if one.what == "rewind"].count(leg.start_s) == 1
         within = (times >= leg.start_s) & (times <= leg.end_s)
-        slow = leg.part is Part.FOLLOW
+        slow = leg.part is PlanPart.FOLLOW
         for angles, axis in ((az, model.azimuth), (el, model.elevation)):
             most = mean_rate_deg_s(axis) if slow else max(axis.speed_deg_s, 25.0) * 2.0
             way = np.abs(np.diff(angles[within]))
@@ -136,4 +136,4 @@ def test_no_plan_breaks_a_limit(case):
 
 
 def followed_s(plan):
-    return sum(leg.end_s - leg.start_s for leg in plan.legs if leg.part is Part.FOLLOW)
+    return sum(leg.end_s - leg.start_s for leg in plan.legs if leg.part is PlanPart.FOLLOW)

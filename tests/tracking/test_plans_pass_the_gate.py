@@ -9,10 +9,10 @@ from birdcage.base.geometry import wrap_360
 from birdcage.kinematics import Slew
 from birdcage.rotator.values import Position
 from birdcage.sky.reach_limits import NoGo
-from birdcage.tracking.plan import Part
+from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.steering.choice import controller_for
-from birdcage.tracking.steps import Look, Send
+from birdcage.tracking.steps import ReadPosition, Send
 from hypothesis import given, settings
 
 from .orbits import PLACE, g2, mount, plan_of, travler
@@ -36,7 +36,7 @@ class Wire:
         self.gate.see(Position(round(az % 360.0, 2) % 360.0, round(el, 2)))
 
     def take(self, rig, step):
-        if isinstance(step, Look):
+        if isinstance(step, ReadPosition):
             self.see(rig)
         elif isinstance(step, Send):
             self.sent[step.axis] = round(wrap_360(step.deg), 2) % 360.0 if step.axis == 0 else round(step.deg, 2)
@@ -56,7 +56,7 @@ def follow(plan, on, *, seconds=None):
     queues = on.model.moves_in_turn
     wire = Wire(on)
     for leg in plan.legs:
-        if leg.part is not Part.FOLLOW:
+        if leg.part is not PlanPart.FOLLOW:
             continue
         rig = Rig(plan.course, on.model, mode="queue" if queues else "retarget")
         az, el = plan.course.at(leg.start_s)

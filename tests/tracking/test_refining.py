@@ -17,11 +17,11 @@ from birdcage.tracking.steps import Send, Wait
 from .orbits import g2, mount, plan_of, travler
 
 
-def late(helm):
+def late(guide):
     """A poor controller: where the target is now, every two seconds."""
-    now_s = helm.now_s
-    while now_s < helm.until_s:
-        for axis, deg in enumerate(helm.course().at(now_s)):
+    now_s = guide.now_s
+    while now_s < guide.until_s:
+        for axis, deg in enumerate(guide.course().at(now_s)):
             answer = yield Send(axis, deg)
         now_s = (yield Wait(answer.now_s + 2.0)).now_s
 

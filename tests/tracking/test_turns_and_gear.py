@@ -11,15 +11,15 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.motor_course import course_of_motors
-from birdcage.tracking.steering.turns import Interval, Looks, Turn, interval_of
+from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of
 
 from .rig import Rig, straight
 
-NEVER = Looks(math.inf, 1.0, 0.1)
+NEVER = ReadingTimes(math.inf, 1.0, 0.1)
 
 
 def turn(rate, waited_s=0.1):
-    return Turn(rate, -waited_s, 0.1, 0.005)
+    return AxisTurn(rate, -waited_s, 0.1, 0.005)
 
 
 def geared(**facts):
@@ -56,7 +56,7 @@ def test_faster_axis_knows_whether_its_interval_will_be_short_or_long():
 def test_reading_lengthens_the_interval_that_it_falls_into():
     turns = turn(1.0), turn(1.0)
     assert interval_of(0, turns, 0.0, NEVER, 0.0).mean_s == pytest.approx(0.2)
-    assert interval_of(0, turns, 0.0, Looks(0.15, 1.0, 0.1), 0.0).mean_s == pytest.approx(0.3)
+    assert interval_of(0, turns, 0.0, ReadingTimes(0.15, 1.0, 0.1), 0.0).mean_s == pytest.approx(0.3)
 
 
 def test_middle_of_an_interval_of_uncertain_length_is_that_which_a_moment_meets():

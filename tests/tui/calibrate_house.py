@@ -17,7 +17,7 @@ from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.calibrate.source import make_calibrate
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 
 AFTERNOON = datetime(2026, 3, 20, 20, 30, tzinfo=UTC)
 """The Sun stands in the south-west, away from most of the arc."""
@@ -49,8 +49,8 @@ class House:
             ),
         )  # fmt: skip
         self.session = Stepped(self.clock, self.station)
-        self.app = BirdcageApp(self.session, AppSettings(
-            place=Place(39.1, -95.7),
+        self.app = BirdcageApp(self.session, AppOptions(
+            place=SitePlace(39.1, -95.7),
             calibrate=make_calibrate(self.session, self.settings, self.paths, environ={}, threads=False),
             **app,
         ))  # fmt: skip

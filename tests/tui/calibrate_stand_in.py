@@ -9,11 +9,11 @@ from functools import lru_cache
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.alignments import AlignmentSet
 from birdcage.base.config.sections import AlignmentSettings
-from birdcage.calibration.candidates import Candidate
+from birdcage.calibration.candidates import CalibrationObject
 from birdcage.calibration.fit import fit
 from birdcage.calibration.guide import GuideView
 from birdcage.calibration.next_best import Proposal
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import priors_of
 from birdcage.sky.targets.model import Fixed
 from birdcage.station.state import Pointing
@@ -34,7 +34,9 @@ def peak(number, *, off=(0.0, 0.0)):
     name, az, el = SKY[number - 1]
     dish_az, dish_el = STANDS.to_dish(az, el)
     wobble = WOBBLE[number - 1]
-    return Peak(UTC_THEN, name, az, el, dish_az + wobble[0] + off[0], dish_el + wobble[1] + off[1], 0.1, number=number)
+    return MeasuredPeak(
+        UTC_THEN, name, az, el, dish_az + wobble[0] + off[0], dish_el + wobble[1] + off[1], 0.1, number=number
+    )
 
 
 @lru_cache
@@ -46,7 +48,9 @@ def fitted(count, odd=0):
 def view(count, odd=0):
     peaks, found = fitted(count, odd)
     proposals = tuple(
-        Proposal(Candidate(Fixed(name, az, el), az, el, 0.13, None), 0.23 + 1.0 / (count + 1) ** 2, 0.2 + index / 50)
+        Proposal(
+            CalibrationObject(Fixed(name, az, el), az, el, 0.13, None), 0.23 + 1.0 / (count + 1) ** 2, 0.2 + index / 50
+        )
         for index, (name, az, el) in enumerate(UP)
     )
     return GuideView(

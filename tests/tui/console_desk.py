@@ -4,7 +4,7 @@ import asyncio
 from dataclasses import replace
 
 import stand_in
-from birdcage.station.raw import Entry
+from birdcage.station.raw import TranscriptEntry
 from birdcage.station.requests import Raw
 from birdcage.station.state import HeldState
 from birdcage_tui.console.entry import ConsoleInput
@@ -38,7 +38,7 @@ class Desk:
 
     def wire(self, direction, *lines):
         for line in lines:
-            self.app.session.wire(Entry(self.clock.utc(), direction, line))
+            self.app.session.wire(TranscriptEntry(self.clock.utc(), direction, line))
 
     async def look(self):
         self.app.paint()

@@ -10,7 +10,7 @@ from birdcage.setup.case import Case
 from birdcage.setup.causes import find_causes
 from birdcage.setup.step import AreaNotClear, Choice, Field, Mark, NoSuchChoice, StepView
 from birdcage.station.known import PortInfo, SystemFacts
-from birdcage.station.state import Link, LinkState
+from birdcage.station.state import LinkPhase, LinkState
 
 DONE, TODO, SKIPPED, LATER, FAILED = Mark.DONE, Mark.TODO, Mark.SKIPPED, Mark.LATER, Mark.FAILED
 
@@ -124,7 +124,7 @@ def mute():
     """A port that does not answer, after the probe, on a machine with two hindrances."""
     system = SystemFacts("/dev/ttyUSB0", "dialout", False, False, True, True)
     ports = (PortInfo("/dev/ttyUSB0", None, "FTDI", "0403:6001", "A1", "1-1"),)
-    link = LinkState(Link.SILENT, detail="no prompt: power off, cable out at the dish, or deadlocked")
+    link = LinkState(LinkPhase.SILENT, detail="no prompt: power off, cable out at the dish, or deadlocked")
     causes = find_causes(Case("/dev/ttyUSB0", link, FINDINGS, system, ports, 115200))
     engine = Engine("link", causes=causes)
     engine.change(

@@ -10,11 +10,11 @@ from birdcage.sky.footprint import footprint
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import sub_solar
-from birdcage.sky.world import Ground, WorldView
-from birdcage_tui.passes.model import Age, Frequency, InReach, Lost, Path, Row, SkyPicture, Up, Way
+from birdcage.sky.world import SubPoint, WorldView
+from birdcage_tui.passes.model import Age, DopplerFrequency, InReach, Lost, Path, Row, ShownPath, SkyPicture, Up
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
-LRPT = Frequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))
+LRPT = DopplerFrequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))
 MASK = HorizonMask([(0, 4), (40, 9), (70, 22), (95, 24), (110, 8), (180, 2), (250, 5), (300, 14), (330, 6)])
 FLOOR, CEILING = 18.0, 65.0
 
@@ -91,7 +91,7 @@ def rows(now_s=NOON):
         highest = max(range(121), key=lambda index: path.el_deg[index])
         found.append(Row(
             name, number, aos, path.t_s[highest], path.t_s[-1], from_az, path.az_deg[highest], to_az, float(top),
-            reach_of(path), Way(lambda path=path: path), favourite, groups, AGE,
+            reach_of(path), ShownPath(lambda path=path: path), favourite, groups, AGE,
             hears="137.9 MHz LRPT" if name.startswith("METEOR") else "", sunlit_share=1.0, sun=(aos + 120.0, 31.0),
             tuned=lambda name=name: LRPT if name.startswith("METEOR") else None,
         ))  # fmt: skip
@@ -136,14 +136,16 @@ def world(ask):
         return tuple(under(start_s + (end_s - start_s) * step / 240) for step in range(241))
 
     others = tuple(
-        Ground(row.name, row.norad_id, 70.0 - 17.0 * place % 130.0, 47.0 * place % 360.0 - 180.0, 800.0, row.favourite)
+        SubPoint(
+            row.name, row.norad_id, 70.0 - 17.0 * place % 130.0, 47.0 * place % 360.0 - 180.0, 800.0, row.favourite
+        )
         for place, row in enumerate(ask.others)
     )
     seen = WorldView(when, sub_solar(when), Observer(40.4, -95.0, name="EN10"), others)
     if ask.chosen is None:
         return seen
     here = under(ask.t_s)
-    chosen = Ground(ask.chosen.name, ask.chosen.norad_id, *here, 820.0, ask.chosen.favourite)
+    chosen = SubPoint(ask.chosen.name, ask.chosen.norad_id, *here, 820.0, ask.chosen.favourite)
     return replace(
         seen, chosen=chosen, behind=line(ask.t_s - 6000.0, ask.t_s), ahead=line(ask.t_s, ask.t_s + 6000.0),
         footprint=footprint(*here, 820.0),

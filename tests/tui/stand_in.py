@@ -13,7 +13,7 @@ from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.registry import get_protocol
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.signal.tuner import TUNER_FACTS
@@ -22,20 +22,20 @@ from birdcage.station.state import (
     Activity,
     Fault,
     HeldState,
-    Link,
+    LinkPhase,
     LinkState,
     Motion,
     Pointing,
-    Search,
     StationState,
     StopReport,
+    TvSearch,
 )
 from birdcage_tui.app import BirdcageApp
-from birdcage_tui.settings import AppSettings, Place
-from birdcage_tui.view import Sample
+from birdcage_tui.settings import AppOptions, SitePlace
+from birdcage_tui.view import SignalSample
 
 PROTOCOL = get_protocol("g2")
-PLACE = Place(40.4, -95.0, "EN10")
+PLACE = SitePlace(40.4, -95.0, "EN10")
 
 
 class Station:
@@ -108,7 +108,7 @@ def at_rest(clock):
     """A homed, simulated G2 that answers, and rests on 101°W."""
     now, utc = clock.monotonic(), clock.utc()
     return StationState(
-        link=LinkState(Link.UP, now - 60, now - 0.2, 0.012),
+        link=LinkState(LinkPhase.UP, now - 60, now - 0.2, 0.012),
         port="sim:g2",
         demo=True,
         dish=CARRYOUT_G2,
@@ -119,8 +119,8 @@ def at_rest(clock):
         target_el_deg=42.87,
         activity=Activity.IDLE,
         homed=True,
-        search=Search.OFF,
-        turn=Turn.COUNTED,
+        search=TvSearch.OFF,
+        turn=CableTurn.COUNTED,
         feed_name="Ku LNB",
         beam=Beam(2.6, 2.6),
         el_min_deg=18.0,
@@ -161,7 +161,7 @@ def lost(clock):
     return replace(
         state,
         link=LinkState(
-            Link.LOST, now - 7, now - 7.3, 0.012, "/dev/ttyUSB0 is not there. Plug it in; birdcage keeps looking."
+            LinkPhase.LOST, now - 7, now - 7.3, 0.012, "/dev/ttyUSB0 is not there. Plug it in; birdcage keeps looking."
         ),
         position=replace(state.position, at=now - 7.3),
         port="/dev/ttyUSB0",
@@ -172,7 +172,9 @@ def lost(clock):
 
 def silent(clock):
     now = clock.monotonic()
-    link = LinkState(Link.SILENT, now - 4, now - 6, None, "no prompt: power off, cable out at the dish, or deadlocked")
+    link = LinkState(
+        LinkPhase.SILENT, now - 4, now - 6, None, "no prompt: power off, cable out at the dish, or deadlocked"
+    )
     return replace(at_rest(clock), link=link, position=None, homed=None, demo=False, port="/dev/ttyUSB0")
 
 
@@ -182,15 +184,15 @@ def not_homed(clock):
         homed=False,
         position=None,
         position_lost="unhomed",
-        turn=Turn.UNKNOWN,
+        turn=CableTurn.UNKNOWN,
         target_az_deg=None,
         target_el_deg=None,
     )
 
 
 def opening(clock):
-    link = LinkState(Link.OPENING, clock.monotonic() - 1)
-    return StationState(link=link, port="/dev/ttyUSB0", turn=Turn.UNKNOWN)
+    link = LinkState(LinkPhase.OPENING, clock.monotonic() - 1)
+    return StationState(link=link, port="/dev/ttyUSB0", turn=CableTurn.UNKNOWN)
 
 
 def fault(clock):
@@ -223,15 +225,15 @@ def travler(clock):
     now, utc = clock.monotonic(), clock.utc()
     return replace(
         at_rest(clock),
-        link=LinkState(Link.UP, now - 60, now - 0.2, 0.021),
+        link=LinkState(LinkPhase.UP, now - 60, now - 0.2, 0.021),
         port="sim:hal205",
         dish=TRAVLER,
         unplanned_stop=StopMeans.WAIT,
         firmware_version=None,
         position=Pointing(189.16, 42.87, 189.16, 42.87, now - 0.2, utc, None, 45.0),
         target_skew_deg=45.0,
-        search=Search.OFF_UNTIL_POWER_UP,
-        turn=Turn.UNKNOWN,
+        search=TvSearch.OFF_UNTIL_POWER_UP,
+        turn=CableTurn.UNKNOWN,
         homed=True,
         el_min_deg=15.0,
         el_max_deg=90.0,
@@ -294,7 +296,7 @@ def travler_skew(clock):
 
 def travler_search(clock):
     """Just switched on: its TV search moves it."""
-    return replace(travler(clock), search=Search.RUNNING, activity=Activity.MOVING_UNASKED, target_skew_deg=None)
+    return replace(travler(clock), search=TvSearch.RUNNING, activity=Activity.MOVING_UNASKED, target_skew_deg=None)
 
 
 def travler_unread(clock):
@@ -329,7 +331,7 @@ def samples(clock):
 
     now = clock.monotonic()
     return [
-        Sample(
+        SignalSample(
             now - 0.4 - age * 0.5,
             480 + 12 * sin(age * 1.7) + 420 * exp(-(((age - 14) / 5) ** 2)) + 260 * exp(-(((age - 52) / 4) ** 2)),
         )
@@ -342,7 +344,7 @@ def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     state = STATES[name](clock)
     session = Session(state, clock)
     settings.setdefault("setup", setup_stand_in.Engine)
-    settings = AppSettings(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
+    settings = AppOptions(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
     app = BirdcageApp(session, settings)
     if heard and state.position is not None:
         app.signals.book.of(TUNER_FACTS).extend(samples(clock))

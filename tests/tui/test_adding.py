@@ -12,7 +12,7 @@ from birdcage.base.presets import load_presets
 from birdcage.sky.catalogue import Catalogue
 from birdcage_tui import main
 from birdcage_tui import run as run_module
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.sky_feed import make_sky
 from textual import events
 from textual.widgets import Input
@@ -82,7 +82,7 @@ def run(test, folder, size=(80, 24)):
 
     async def body():
         app = stand_in.app_in("idle", presets_file=paths.presets_file, keep_place=keep_place)
-        app.settings = replace(app.settings, place=Place(51.9, 4.8))
+        app.settings = replace(app.settings, place=SitePlace(51.9, 4.8))
         app.sky._make = make_sky(Settings(), paths, app.session.clock, demo=False, threads=False)
         async with app.run_test(size=size) as pilot:
             await pilot.pause()
@@ -292,4 +292,4 @@ def test_what_is_understood_of_a_place_stands_under_the_field_while_one_types(tm
     ):  # fmt: skip
         assert words in text, text
     assert "No city" not in told[-1], "nothing is said of an empty field"
-    assert place == Place(51.9, 4.8), "and nothing is set before Enter"
+    assert place == SitePlace(51.9, 4.8), "and nothing is set before Enter"

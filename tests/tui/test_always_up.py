@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 import sky_stand_in
-from birdcage_tui.passes.model import InReach, Lost, Way
+from birdcage_tui.passes.model import InReach, Lost, ShownPath
 from birdcage_tui.passes.words import reach_text
 from test_passes_page import on_page, pressed
 from track_plans import NOON
@@ -70,7 +70,7 @@ def geo_row(**changes):
     )
     return replace(
         sky_stand_in.rows()[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True, favourite=True,
-        aos_s=NOON, tca_s=NOON + 3600.0, los_s=NOON + 86400.0, max_el_deg=40.0, way=Way(lambda: path),
+        aos_s=NOON, tca_s=NOON + 3600.0, los_s=NOON + 86400.0, max_el_deg=40.0, way=ShownPath(lambda: path),
         reach=InReach(((NOON, NOON + 86400.0),), (), 40.0), **changes,
     )  # fmt: skip
 

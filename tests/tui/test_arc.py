@@ -11,10 +11,10 @@ from birdcage.base.errors import MotionRefused
 from birdcage.rotator.mapping import Site
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import Goto, Home
-from birdcage.testing import Bench, Stage
+from birdcage.testing import Stage, TestBench
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.commands.table import can_home
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.words import ended_text
 from installed_toys import installed
 
@@ -33,9 +33,9 @@ def shown(twins, test, *requests, site=SITE, size=(120, 36)):
     """Return what `test(app, pilot, stage)` returns once these requests are done."""
 
     async def body():
-        with Stage(Bench("swing", twins.SwingTwin, (), settings={"site": site})) as stage:
+        with Stage(TestBench("swing", twins.SwingTwin, (), settings={"site": site})) as stage:
             stage.session.start = lambda: None  # stepped here
-            app = BirdcageApp(stage.session, AppSettings())
+            app = BirdcageApp(stage.session, AppOptions())
             async with app.run_test(size=size) as pilot:
                 stage.step(3.0)
                 for request in requests:

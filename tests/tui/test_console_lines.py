@@ -11,7 +11,7 @@ from birdcage.rotator.verdict import Grade
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.raw import CONSOLE
 from birdcage_tui.console.frame import PromptCell
-from birdcage_tui.console.lines import Line, Part
+from birdcage_tui.console.lines import LinePart, LogLine
 from birdcage_tui.console.sorter import Sorter
 from console_desk import desk
 
@@ -108,4 +108,4 @@ def test_polls_are_polling_whatever_ends_a_line(end):
     now = datetime(2026, 3, 20, 12, tzinfo=UTC)
     talk = ((">", b"AZ EL" + end), ("<", b"AZ1.0 EL2.0" + end), (">", b"AZ100" + end))
     sorter = Sorter(RAW)
-    assert [sorter.sort(Line(now, *each)).part for each in talk] == [Part.POLL, Part.POLL, Part.PLAIN]
+    assert [sorter.sort(LogLine(now, *each)).part for each in talk] == [LinePart.POLL, LinePart.POLL, LinePart.PLAIN]

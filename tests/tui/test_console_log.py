@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 from birdcage_tui.console.log import LogView
 from console_desk import desk, numbered
 
@@ -31,7 +31,7 @@ def test_an_unknown_prompt_is_a_question_mark_and_without_a_link_a_dash():
         at.wire("<", b"TRK>")
         at.state(menu="root")
         known = (await at.look()).splitlines()[-3]
-        at.state(link=replace(at.app.station.state.link, state=Link.SILENT))
+        at.state(link=replace(at.app.station.state.link, state=LinkPhase.SILENT))
         down = (await at.look()).splitlines()[-3]
         return row, known, down
 

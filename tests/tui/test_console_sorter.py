@@ -4,8 +4,8 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from birdcage.protocol.menu_raw import MenuRaw
-from birdcage.station.raw import Entry
-from birdcage_tui.console.lines import Line, Part
+from birdcage.station.raw import TranscriptEntry
+from birdcage_tui.console.lines import LinePart, LogLine
 from birdcage_tui.console.scrollback import Scrollback
 from birdcage_tui.console.sorter import Sorter
 from birdcage_tui.console.tap import WireTap
@@ -19,48 +19,48 @@ START = datetime(2026, 3, 20, 12, tzinfo=UTC)
 
 def sorted_parts(*lines, prompt="MOT>"):
     sorter = Sorter(RAW)
-    sorter.sort(Line(START, "<", prompt.encode()))
-    return [sorter.sort(Line(START + timedelta(seconds=second), way, data)).part for second, way, data in lines]
+    sorter.sort(LogLine(START, "<", prompt.encode()))
+    return [sorter.sort(LogLine(START + timedelta(seconds=second), way, data)).part for second, way, data in lines]
 
 
 def test_a_poll_and_its_answer_are_polling_and_what_comes_unasked_is_not():
     assert sorted_parts(
         (0, ">", b"a\r"), (0.1, "<", b"a\r\n"), (0.1, "<", b"Angle[0] = 1.00\r\n"), (0.1, "<", b"MOT>"),
         (0.2, "<", b"Stalled.\r\n"),
-    ) == [Part.POLL] * 4 + [Part.PLAIN]  # fmt: skip
+    ) == [LinePart.POLL] * 4 + [LinePart.PLAIN]  # fmt: skip
 
 
 def test_a_dish_that_restarts_instead_of_answering_is_seen():
     parts = sorted_parts((0, ">", b"a\r"), (0.1, "<", b"a\r\n"), (2.5, "<", b"Bootloader V1\r\n"))
-    assert parts == [Part.POLL, Part.POLL, Part.PLAIN]
+    assert parts == [LinePart.POLL, LinePart.POLL, LinePart.PLAIN]
 
 
 def test_what_birdcage_does_to_the_dish_is_never_folded():
     for data in (b"a 0 120\r", b"h 0\r", b"r\r", b"\ra 1 30\r", b"e\r"):
-        assert sorted_parts((0, ">", data)) == [Part.PLAIN], data
-    assert sorted_parts((0, ">", b"d 20\r"), prompt="who knows>") == [Part.PLAIN]
+        assert sorted_parts((0, ">", data)) == [LinePart.PLAIN], data
+    assert sorted_parts((0, ">", b"d 20\r"), prompt="who knows>") == [LinePart.PLAIN]
 
 
 def test_a_typed_line_is_yours_its_echo_an_echo_and_its_mark_a_mark():
     assert sorted_parts(
         (0, "#", b"raw by console: a (HARMLESS)"), (0, ">", b"a\r"), (0, "<", b"a\r\n"),
         (0, "<", b"Angle[0] = 1.00\r\n"),
-    ) == [Part.MARK, Part.YOURS, Part.ECHO, Part.PLAIN]  # fmt: skip
+    ) == [LinePart.MARK, LinePart.YOURS, LinePart.ECHO, LinePart.PLAIN]  # fmt: skip
     moved = sorted_parts((0, "#", b"raw by console: a 0 9999 (MOVES, confirmed; Beyond.)"), (0, ">", b"a 0 9999\r"))
-    assert moved == [Part.WARNING, Part.YOURS]
+    assert moved == [LinePart.WARNING, LinePart.YOURS]
 
 
 def test_an_echo_that_came_back_otherwise_is_seen():
     parts = sorted_parts((0, "#", b"raw by console: mv (HARMLESS)"), (0, ">", b"mv\r"), (0, "<", b"mw\r\n"))
-    assert parts[-1] is Part.PLAIN
+    assert parts[-1] is LinePart.PLAIN
 
 
 def test_a_fold_outlives_the_cutting_of_old_lines():
     back = Scrollback(kept=50)
     for _ in range(40):
-        back.add([Line(START, "<", b"x", Part.POLL)] * 100)
+        back.add([LogLine(START, "<", b"x", LinePart.POLL)] * 100)
     assert [row.text for row in back.rows] == ["4000 lines of polling, p shows all"]
-    back.add([Line(START, "<", b"end")])
+    back.add([LogLine(START, "<", b"end")])
     assert [row.text for row in back.rows][1:] == ["end"]
 
 
@@ -70,15 +70,15 @@ STEP = (b"a 0 123.13\r", b"a 0 123.13\r\n", b"Angle = 123.13\r\n", b"MOT>")
 def steps_of(*lines):
     """Parts of lines of which those that go out are a pursuit's."""
     sorter = Sorter(RAW)
-    sorter.sort(Line(START, "<", b"MOT>"))
-    return [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
+    sorter.sort(LogLine(START, "<", b"MOT>"))
+    return [sorter.sort(LogLine(START, way, data), step=way == ">").part for way, data in lines]
 
 
 def test_a_step_of_a_pursuit_folds_with_its_answer_and_whatever_else_the_dish_says_is_seen():
     taken = [(">", STEP[0]), *(("<", line) for line in STEP[1:])]
-    assert steps_of(*taken) == [Part.STEP] * 4
-    assert steps_of(*taken[:2], ("<", b"Motor 0 stalled at 123.13\r\n")) == [Part.STEP] * 2 + [Part.PLAIN]
-    assert steps_of(*taken, ("<", b"Angle = 9\r\n")) == [Part.STEP] * 4 + [Part.PLAIN], "nobody has asked"
+    assert steps_of(*taken) == [LinePart.STEP] * 4
+    assert steps_of(*taken[:2], ("<", b"Motor 0 stalled at 123.13\r\n")) == [LinePart.STEP] * 2 + [LinePart.PLAIN]
+    assert steps_of(*taken, ("<", b"Angle = 9\r\n")) == [LinePart.STEP] * 4 + [LinePart.PLAIN], "nobody has asked"
 
 
 def test_the_steps_of_a_pursuit_are_one_row_and_stop_and_what_you_move_are_not():
@@ -140,9 +140,9 @@ def test_how_a_machine_says_where_it_goes_is_its_own_to_tell():
 
     sorter = Sorter(Going(PROTOCOL))
     lines = ((">", b"a 0 1.00\r"), ("<", b"a 0 1.00\r\n"), ("<", b"going\r\n"), ("<", b"Angle = 1.00\r\n"))
-    sorter.sort(Line(START, "<", b"MOT>"))
-    parts = [sorter.sort(Line(START, way, data), step=way == ">").part for way, data in lines]
-    assert parts == [Part.STEP] * 3 + [Part.PLAIN]
+    sorter.sort(LogLine(START, "<", b"MOT>"))
+    parts = [sorter.sort(LogLine(START, way, data), step=way == ">").part for way, data in lines]
+    assert parts == [LinePart.STEP] * 3 + [LinePart.PLAIN]
 
 
 class Ready(MenuRaw):
@@ -158,7 +158,7 @@ def heard(raw, *chunks):
     log = WireLog(tap, raw)
     lines = []
     for way, data in chunks:
-        tap.take_in(Entry(START, way, data))
+        tap.take_in(TranscriptEntry(START, way, data))
         lines += log.take(START)
     return log.prompt, [(line.text, line.part) for line in lines if line.direction == "<"]
 
@@ -169,7 +169,7 @@ def test_an_angle_bracket_at_the_end_of_a_piece_is_no_prompt():
     )
     assert prompt == "MOT>"
     assert [text for text, _part in lines] == ["MOT>", "?", "g <az> <el>", "q", "MOT>"]
-    assert {part for _text, part in lines[1:]} == {Part.POLL}
+    assert {part for _text, part in lines[1:]} == {LinePart.POLL}
 
 
 @pytest.mark.parametrize(("raw", "shown"), [(Ready(PROTOCOL), "READY:"), (RAW, ">"), (RAW, "MOT> ")])

@@ -205,7 +205,7 @@ def test_a_line_that_waits_for_control_is_not_sent_once_the_console_is_closed():
     assert desk(close) == ([], "a")
 
 
-def test_talk_says_that_polling_pauses_and_how_old_the_position_is():
+def test_raw_console_says_that_polling_pauses_and_how_old_the_position_is():
     async def talk(at):
         at.state(holder=CONSOLE)
         at.clock.advance(12)

@@ -12,7 +12,7 @@ from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import AcquireLease
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.console.entry import ConsoleInput
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 from stand_in import text_of
 
 
@@ -27,7 +27,7 @@ class Desk:
         )
         self.session.start = lambda: None
         self.station = self.session.station
-        settings = AppSettings(place=Place(39.1, -95.7), history_file=paths.history, logs_folder=paths.logs)
+        settings = AppOptions(place=SitePlace(39.1, -95.7), history_file=paths.history, logs_folder=paths.logs)
         self.app = BirdcageApp(self.session, settings)
 
     async def begin(self, pilot):

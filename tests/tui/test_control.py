@@ -9,7 +9,7 @@ import pytest
 import stage
 import stand_in
 from birdcage.base.config.sections import NoGoSector
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage_tui.control.layout import sizes
@@ -17,7 +17,7 @@ from birdcage_tui.control.tape import span_for
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.pane import Pane
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
 from stage import read
 from textual.widgets import Input
@@ -154,13 +154,13 @@ def test_an_empty_list_of_presets_says_how_one_is_made(size, tmp_path):
 
 
 def test_the_frame_of_the_cable_says_that_its_turn_is_of_the_last_session_and_not_cable_twice():
-    text = run(read, size=(120, 36), state={"turn": Turn.REMEMBERED})
+    text = run(read, size=(120, 36), state={"turn": CableTurn.REMEMBERED})
     rows = text.splitlines()
     top = next(y for y, row in enumerate(rows) if "─ Cable ─" in row)
     assert "remembered" not in text
     assert "turn from the last session" in "".join(rows[top : top + 5])
     assert "cable" not in "".join(rows[top : top + 5])
-    assert "cable, remembered CCW" in run(read, state={"turn": Turn.REMEMBERED})
+    assert "cable, remembered CCW" in run(read, state={"turn": CableTurn.REMEMBERED})
 
 
 def test_limits_target_and_stops_are_drawn():
@@ -193,7 +193,7 @@ def test_an_offset_shows_a_second_needle_with_its_angle():
 def test_the_sun_stands_on_the_rim_when_it_is_up_and_the_place_is_known():
     async def look(app, pilot):
         before = stand_in.text_of(app)
-        app.settings = replace(app.settings, place=Place(40.0, 10.0))
+        app.settings = replace(app.settings, place=SitePlace(40.0, 10.0))
         app.paint()
         await pilot.pause()
         return before, stand_in.text_of(app)

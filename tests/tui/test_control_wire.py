@@ -1,7 +1,7 @@
 """F2 on a real station and a simulated dish: what hands do arrives at the dish, or says why not."""
 
 import pytest
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 from test_end_to_end import House, played, press
 from textual.widgets import Input
 
@@ -20,7 +20,7 @@ async def arrived(house, text, *, seconds=6):
 @pytest.fixture
 def house(tmp_path):
     house = House()
-    house.app.settings = AppSettings(place=Place(39.1, -95.7))
+    house.app.settings = AppOptions(place=SitePlace(39.1, -95.7))
     house.app.presets._path = tmp_path / "presets.toml"
     return house
 

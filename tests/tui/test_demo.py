@@ -12,8 +12,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
 from birdcage.station.events import PursuitChanged
-from birdcage.station.known import Turn
-from birdcage.station.pursuit import Phase
+from birdcage.station.known import CableTurn
+from birdcage.station.pursuit_state import Phase
 from birdcage_tui import run
 from birdcage_tui.main import parser
 from birdcage_tui.track_source import make_track
@@ -100,7 +100,7 @@ def test_the_demo_begins_with_a_cable_that_was_counted_earlier():
             return on.app.station.state.turn, on.text()
 
     turn, dashboard = asyncio.run(play(()))
-    assert turn is Turn.REMEMBERED
+    assert turn is CableTurn.REMEMBERED
     assert "cable CCW 212°" in dashboard
     assert "cable, remembered CCW 212° left" in asyncio.run(play(("f2",)))[1]
 

@@ -19,7 +19,7 @@ from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 
 SIZE = (120, 36)
 
@@ -41,7 +41,7 @@ class House:
         )
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
-        self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))
+        self.app = BirdcageApp(self.session, AppOptions(place=SitePlace(39.1, -95.7)))
         self.pilot = None
 
     def _open(self, port, _baud):

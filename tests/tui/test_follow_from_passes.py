@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 import stand_in
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Home, Pursue, Release
 from birdcage_tui.goto import GotoLine
 from desk_house import play
@@ -28,7 +28,7 @@ def pursuits(house):
 def test_the_next_pass_of_a_name_is_followed_in_four_keys_and_the_name(tmp_path, size):
     async def follow(house):
         await to_passes(house, "slash", *"noaa 20", "enter")
-        picked = house.app.page.desk.chosen(house.app.view())
+        picked = house.app.page.selection.chosen(house.app.view())
         await house.press("f")
         await house.look()
         offered = await house.look()
@@ -52,7 +52,7 @@ def test_the_next_pass_of_a_name_is_followed_in_four_keys_and_the_name(tmp_path,
 def test_it_is_the_pass_under_the_cursor_and_not_the_next_one_of_that_satellite(tmp_path, size):
     async def follow(house):
         await to_passes(house, "slash", *"meteor", "enter", "down", "down")
-        picked = house.app.page.desk.chosen(house.app.view())
+        picked = house.app.page.selection.chosen(house.app.view())
         await house.press("f")
         await house.look()
         await house.look()
@@ -136,7 +136,7 @@ def test_favourites_only_has_moved_to_a_capital(tmp_path):
     async def both(house):
         await to_passes(house)
         await house.press("F")
-        hidden = house.app.page.desk.choice.favourites_only
+        hidden = house.app.page.selection.choice.favourites_only
         await house.press("question_mark")
         return hidden, " ".join(stand_in.text_of(house.app).split())
 

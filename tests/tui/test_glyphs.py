@@ -10,7 +10,7 @@ from birdcage_tui import glyphs, main, run
 from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import PAGES
 from birdcage_tui.digits import put_big, width_of
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from rich.cells import cell_len
 
 STATE_SIGNS = "●○◍✖▨■▲◉✕☼☾•✓▼◀▶"
@@ -154,4 +154,4 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
     flags = ["--demo"] + (["--glyphs", chosen] if chosen else [])
     assert run.run(main.parser().parse_args(flags)) == 0
     assert made[0].glyphs == expected
-    assert AppSettings().glyphs == "braille"
+    assert AppOptions().glyphs == "braille"

@@ -11,13 +11,13 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.presets import Preset
 from birdcage.pursuit.now import Located
-from birdcage.rotator.facts import Turn
-from birdcage.sky.targets.direction import Part, Wish, read_direction
+from birdcage.rotator.facts import CableTurn
+from birdcage.sky.targets.direction import AxisWish, Wish, read_direction
 from birdcage.station.requests import Goto
 from birdcage_tui.goto import GotoLine, foretell
 from birdcage_tui.goto_target import aim_of
-from birdcage_tui.goto_text import Aim, resolve
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.goto_text import GotoAim, resolve
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
 from stage import run
@@ -29,45 +29,45 @@ PRESETS = (Preset("Wall", 10.0, 20.0), Preset("Astra 28.2E", 151.3, 27.2), Prese
 @pytest.mark.parametrize(
     ("typed", "az", "el"),
     [
-        ("180 45", Part(180), Part(45)),
-        ("180,45", Part(180), Part(45)),
-        ("180, 45", Part(180), Part(45)),
-        ("180/45", Part(180), Part(45)),
-        ("180;45", Part(180), Part(45)),
-        ("231.4,44", Part(231.4), Part(44)),
-        ("231.4 44.25", Part(231.4), Part(44.25)),
-        (" 180°  45° ", Part(180), Part(45)),
-        ("180°/45°", Part(180), Part(45)),
-        ("180,5 45", Part(180.5), Part(45)),
-        ("180,5 45,25", Part(180.5), Part(45.25)),
-        ("180,5/45", Part(180.5), Part(45)),
-        ("az=180", Part(180), None),
-        ("AZ = 180", Part(180), None),
-        ("az 180", Part(180), None),
-        ("azimuth: 180", Part(180), None),
-        ("el=40", None, Part(40)),
-        ("el=+3", None, Part(3, True)),
-        ("el=-3", None, Part(-3, True)),
-        ("az=180 el=40", Part(180), Part(40)),
-        ("el=40 az=180", Part(180), Part(40)),
-        ("az=180,el=40", Part(180), Part(40)),
-        ("az=180 el=40,5", Part(180), Part(40.5)),
-        ("az=+5 el=-2", Part(5, True), Part(-2, True)),
-        ("S", Part(180), None),
-        ("ssw", Part(202.5), None),
-        ("NNW", Part(337.5), None),
-        ("S 40", Part(180), Part(40)),
-        ("S,40", Part(180), Part(40)),
-        ("S +3", Part(180), Part(3, True)),
-        ("az=180 +3", Part(180), Part(3, True)),
-        ("+5", Part(5, True), None),
-        ("-5", Part(-5, True), None),
-        ("−5", Part(-5, True), None),
-        ("+5 -2", Part(5, True), Part(-2, True)),
-        ("+5,-2", Part(5, True), Part(-2, True)),
-        ("+.5", Part(0.5, True), None),
-        ("0 90", Part(0), Part(90)),
-        ("360 45", Part(360), Part(45)),
+        ("180 45", AxisWish(180), AxisWish(45)),
+        ("180,45", AxisWish(180), AxisWish(45)),
+        ("180, 45", AxisWish(180), AxisWish(45)),
+        ("180/45", AxisWish(180), AxisWish(45)),
+        ("180;45", AxisWish(180), AxisWish(45)),
+        ("231.4,44", AxisWish(231.4), AxisWish(44)),
+        ("231.4 44.25", AxisWish(231.4), AxisWish(44.25)),
+        (" 180°  45° ", AxisWish(180), AxisWish(45)),
+        ("180°/45°", AxisWish(180), AxisWish(45)),
+        ("180,5 45", AxisWish(180.5), AxisWish(45)),
+        ("180,5 45,25", AxisWish(180.5), AxisWish(45.25)),
+        ("180,5/45", AxisWish(180.5), AxisWish(45)),
+        ("az=180", AxisWish(180), None),
+        ("AZ = 180", AxisWish(180), None),
+        ("az 180", AxisWish(180), None),
+        ("azimuth: 180", AxisWish(180), None),
+        ("el=40", None, AxisWish(40)),
+        ("el=+3", None, AxisWish(3, True)),
+        ("el=-3", None, AxisWish(-3, True)),
+        ("az=180 el=40", AxisWish(180), AxisWish(40)),
+        ("el=40 az=180", AxisWish(180), AxisWish(40)),
+        ("az=180,el=40", AxisWish(180), AxisWish(40)),
+        ("az=180 el=40,5", AxisWish(180), AxisWish(40.5)),
+        ("az=+5 el=-2", AxisWish(5, True), AxisWish(-2, True)),
+        ("S", AxisWish(180), None),
+        ("ssw", AxisWish(202.5), None),
+        ("NNW", AxisWish(337.5), None),
+        ("S 40", AxisWish(180), AxisWish(40)),
+        ("S,40", AxisWish(180), AxisWish(40)),
+        ("S +3", AxisWish(180), AxisWish(3, True)),
+        ("az=180 +3", AxisWish(180), AxisWish(3, True)),
+        ("+5", AxisWish(5, True), None),
+        ("-5", AxisWish(-5, True), None),
+        ("−5", AxisWish(-5, True), None),
+        ("+5 -2", AxisWish(5, True), AxisWish(-2, True)),
+        ("+5,-2", AxisWish(5, True), AxisWish(-2, True)),
+        ("+.5", AxisWish(0.5, True), None),
+        ("0 90", AxisWish(0), AxisWish(90)),
+        ("360 45", AxisWish(360), AxisWish(45)),
     ],
 )
 def test_what_may_be_typed(typed, az, el):
@@ -118,27 +118,27 @@ def test_a_wind_is_never_a_preset():
 
 def test_relative_ones_count_from_the_last_commanded_target():
     state = stand_in.slewing(VirtualClock())
-    assert resolve(read_direction("+5 -2"), state) == Aim(pytest.approx(165.7), pytest.approx(38.21))
-    assert resolve(read_direction("az=20"), state) == Aim(20.0, 40.21)
+    assert resolve(read_direction("+5 -2"), state) == GotoAim(pytest.approx(165.7), pytest.approx(38.21))
+    assert resolve(read_direction("az=20"), state) == GotoAim(20.0, 40.21)
 
 
 def test_without_a_target_they_count_from_the_position():
     state = replace(stand_in.at_rest(VirtualClock()), target_az_deg=None, target_el_deg=None)
-    assert resolve(read_direction("+180"), state) == Aim(pytest.approx(9.16), 42.87)
-    assert resolve(read_direction("el=+1"), state) == Aim(189.16, 43.87)
+    assert resolve(read_direction("+180"), state) == GotoAim(pytest.approx(9.16), 42.87)
+    assert resolve(read_direction("el=+1"), state) == GotoAim(189.16, 43.87)
 
 
 def test_with_neither_they_are_refused_and_whole_ones_are_not():
     state = stand_in.not_homed(VirtualClock())
     with pytest.raises(ValueError, match="unknown"):
         resolve(read_direction("S"), state)
-    assert resolve(read_direction("180 45"), state) == Aim(180.0, 45.0)
+    assert resolve(read_direction("180 45"), state) == GotoAim(180.0, 45.0)
 
 
 def view_of(state_of=stand_in.at_rest, **changes):
     clock = VirtualClock()
     state = replace(state_of(clock), **changes)
-    return View(state, clock.monotonic(), clock.utc(), AppSettings(), presets=PRESETS)
+    return View(state, clock.monotonic(), clock.utc(), AppOptions(), presets=PRESETS)
 
 
 @pytest.mark.parametrize(
@@ -218,7 +218,7 @@ def test_a_user_s_stop_on_the_way_that_the_dish_takes_is_named():
 
 def of_unknown_turn(**changes):
     position = stand_in.at_rest(VirtualClock()).position
-    return view_of(position=replace(position, cable_deg=None), turn=Turn.UNKNOWN, **changes)
+    return view_of(position=replace(position, cable_deg=None), turn=CableTurn.UNKNOWN, **changes)
 
 
 def test_both_ways_round_are_told_while_the_turn_of_the_cable_is_unknown():

@@ -160,7 +160,7 @@ def test_an_ascii_locale_is_drawn_in_ascii_and_survives_the_farewell(start, env)
 
 MOMENTS = (
     "argparse", "birdcage_tui.run", "birdcage.station.build", "textual.app", "textual.css.parse",
-    "birdcage_tui.app", "birdcage_tui.pages.dashboard", "birdcage.station.doorbell", "birdcage_tui.terminal",
+    "birdcage_tui.app", "birdcage_tui.pages.dashboard", "birdcage.station.control_server", "birdcage_tui.terminal",
 )  # fmt: skip
 """Modules whose import stands for a moment of the first second."""
 

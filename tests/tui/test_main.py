@@ -13,7 +13,7 @@ import stand_in
 from birdcage.base.paths import Paths
 from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 
 
 def test_help_and_version_need_no_textual():
@@ -73,7 +73,7 @@ def run_app(monkeypatch, session):
 
     def run_app(**ending):
         monkeypatch.setattr(run, "BirdcageApp", type("App", (Ended,), ending))
-        monkeypatch.setattr(run, "_build", lambda *_: (session, AppSettings()))
+        monkeypatch.setattr(run, "_build", lambda *_: (session, AppOptions()))
         return run.run(main.parser().parse_args(["--demo"]))
 
     return run_app
@@ -244,7 +244,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
         paths.config_file.write_text('[dish]\nfirmware = "hal205"\n')  # as the setup keeps it
         built.append((options.firmware, options.baud))
         sessions.append(stand_in.Session(stand_in.at_rest(clock), clock))
-        return sessions[-1], AppSettings()
+        return sessions[-1], AppOptions()
 
     monkeypatch.setattr(run, "BirdcageApp", App)
     monkeypatch.setattr(run, "_build", build)

@@ -3,7 +3,7 @@
 import itertools
 
 import pytest
-from birdcage_tui.dialogs import Answer
+from birdcage_tui.dialogs import AnswerRow
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.pane import Pane
 from birdcage_tui.status import BadDayRow, StatusLine, StopButton
@@ -85,13 +85,13 @@ def test_every_dialog_is_whole_under_row_1(place, size, tmp_path):
         assert type(app.screen).__name__ == place.dialog
         places = [part for part in parts(app.screen) if "jump" not in part.classes]
         assert any(isinstance(part, StopButton) for part in places)
-        inside = [part for part in places if not isinstance(part, Static) or isinstance(part, Answer)]
+        inside = [part for part in places if not isinstance(part, Static) or isinstance(part, AnswerRow)]
         assert_whole(app, inside)
         frame = next((each for each in app.screen.children if each.border_title), None)
         assert (frame is None) is (place.dialog == "JumpScreen")
         if frame is not None:
             assert len(str(frame.border_title)) + 4 <= frame.size.width
-        return [str(part.render()) for part in places if isinstance(part, Answer)], text_of(app)
+        return [str(part.render()) for part in places if isinstance(part, AnswerRow)], text_of(app)
 
     answers, text = at(place, tmp_path, look, size=size)
     for answer in answers:

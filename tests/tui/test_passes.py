@@ -2,7 +2,7 @@
 
 import pytest
 import sky_stand_in
-from birdcage_tui.passes.choose import SORTS, Choice, matcher
+from birdcage_tui.passes.choose import SORTS, PassFilter, matcher
 from birdcage_tui.passes.layout import VIEWS, layout
 from birdcage_tui.passes.machine import SPEEDS, TimeMachine
 from birdcage_tui.passes.model import InReach, Lost, Path, Row
@@ -138,7 +138,7 @@ def test_the_filter_looks_at_names_numbers_and_groups(typed, names):
 
 
 def test_orders():
-    choice = Choice()
+    choice = PassFilter()
     events = [each.next_event(T)[0] for each in choice.of(ROWS, T)]
     assert events == sorted(events)
     found = {}
@@ -154,7 +154,7 @@ def test_orders():
 
 
 def test_what_is_over_goes_and_what_cannot_be_reached_can_be_hidden():
-    choice = Choice()
+    choice = PassFilter()
     assert len(choice.of(ROWS, T)) == len(ROWS)
     later = choice.of(ROWS, T + 1800)
     assert all(each.los_s > T + 1800 for each in later)

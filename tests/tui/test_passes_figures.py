@@ -11,7 +11,7 @@ from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
 from birdcage_tui.passes.figures import signal_lines, sun_lines
-from birdcage_tui.passes.model import Frequency
+from birdcage_tui.passes.model import DopplerFrequency
 from birdcage_tui.sky_hearing import hearing_of, tuning_of
 from stage import read, run
 from stand_in import text_of
@@ -60,7 +60,9 @@ def test_a_large_screen_has_the_figures_beside_the_path():
 def test_the_largest_screen_has_range_and_doppler_behind_each_event_and_says_no_word_twice():
     rows = tuple(
         replace(
-            row, tuned=lambda: Frequency(12.22e9, "its carrier", ("carrier", "on the air")), hears="12220 MHz carrier"
+            row,
+            tuned=lambda: DopplerFrequency(12.22e9, "its carrier", ("carrier", "on the air")),
+            hears="12220 MHz carrier",
         )
         for row in sky_stand_in.rows()
     )

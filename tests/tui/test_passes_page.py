@@ -8,7 +8,7 @@ import sky_stand_in
 from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.footer import KeyBar
 from birdcage_tui.passes.figures import PassFigures
-from birdcage_tui.passes.head import PassHead
+from birdcage_tui.passes.head import PassHeadRow
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.model import InReach
 from birdcage_tui.passes.plot import PassSky
@@ -47,7 +47,7 @@ def test_every_pane_lies_inside_the_screen(size, keys):
     async def regions(app, pilot):
         await pressed(app, pilot, *keys)
         kinds = (
-            PassHead,
+            PassHeadRow,
             PassList,
             PassSky,
             PassStrip,
@@ -64,7 +64,7 @@ def test_every_pane_lies_inside_the_screen(size, keys):
         }, app.screen.region
 
     found, screen = on_page(regions, size)
-    wanted = {"PassHead", "PassList", "StatusLine", "StopButton", "BadDayRow", "KeyBar"}
+    wanted = {"PassHeadRow", "PassList", "StatusLine", "StopButton", "BadDayRow", "KeyBar"}
     if size[0] >= 100:
         wanted |= {"PassSky", "PassFigures" if keys.count("v") % 2 else "PassStrip", "Timeline"}
     else:
@@ -186,7 +186,7 @@ def test_the_age_of_the_elements_is_told(size):
 def test_another_moment_is_marked_and_one_key_leads_back():
     async def travel(app, pilot):
         ahead = await pressed(app, pilot, "right_square_bracket", "right_curly_bracket")
-        head = app.query_one(PassHead)
+        head = app.query_one(PassHeadRow)
         inked = sum(len(one.text) for one in head._strips[0] if one.style == head.inks["warn-row"])
         buttons = sum(region.width for region, command in head.hot if command not in ("pass-sort", "pass-filter"))
         still = await pressed(app, pilot, "z")
@@ -249,7 +249,7 @@ def test_the_mouse_scrubs_the_timeline():
         await pilot.hover(Timeline, offset=(column + 11, 3))
         await pilot.mouse_up(Timeline, offset=(column + 11, 3))
         text = await pressed(app, pilot)
-        return pane._column(app.query_one(PassHead)._desk.time(app.view())), text
+        return pane._column(app.query_one(PassHeadRow)._selection.time(app.view())), text
 
     column, text = on_page(scrub, (120, 36))
     assert column == 50
@@ -342,7 +342,7 @@ def test_a_second_changes_only_what_counts_down():
 
     still, asked = on_page(tick, (120, 36))
     assert still == []
-    assert asked["PassHead"] == 1
+    assert asked["PassHeadRow"] == 1
     assert asked["PassList"] <= 8, "countdowns above an hour change once a minute"
     assert "Timeline" not in asked
 
@@ -354,7 +354,7 @@ def test_a_second_changes_only_what_counts_down():
 def test_no_filter_hides_passes_unsaid_on_a_small_screen(keys):
     async def hide(app, pilot):
         await pressed(app, pilot, *keys, "r", "F", "slash", *"metop", "enter")
-        return app.query_one(PassHead)._strips[0].text
+        return app.query_one(PassHeadRow)._strips[0].text
 
     head = on_page(hide)
     assert "3 filters" in head or all(words in head for words in ('"metop"', "in reach only", "favourites only"))

@@ -6,7 +6,7 @@ from dataclasses import replace
 import pytest
 import sky_stand_in
 from birdcage_tui.passes.listing import PassList
-from birdcage_tui.passes.model import Way
+from birdcage_tui.passes.model import ShownPath
 from birdcage_tui.passes.plot import PassSky
 from stage import run
 from stand_in import text_of
@@ -23,7 +23,7 @@ def near_the_rim(before_los_s):
         found.append(replace(
             first, name=NAME, norad_id=12000 + place, aos_s=path.t_s[0], tca_s=path.t_s[60], los_s=path.t_s[-1],
             aos_az_deg=path.az_deg[0], tca_az_deg=path.az_deg[60], los_az_deg=path.az_deg[-1], max_el_deg=12.0,
-            reach=sky_stand_in.reach_of(path), way=Way(lambda path=path: path),
+            reach=sky_stand_in.reach_of(path), way=ShownPath(lambda path=path: path),
         ))  # fmt: skip
     return tuple(found)
 

@@ -6,7 +6,7 @@ import re
 
 import pytest
 import stand_in
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Jog, Pursue, Release
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.passes import NextList, PocketOffer, PocketPasses

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import stand_in
 from birdcage.base.presets import Preset
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Goto, Jog
 from birdcage_tui.goto import GotoLine
 from desk_house import play

@@ -9,11 +9,11 @@ import pytest
 import stand_in
 import track_stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
-from birdcage.station.state import Activity, HeldState, Search, StopReport
+from birdcage.station.state import Activity, HeldState, StopReport, TvSearch
 from birdcage_tui.held_words import after_release
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.view import View
 from birdcage_tui.words import bad_day
 from desk_house import play
@@ -28,7 +28,7 @@ def told(held=None, track=None, **changes):
     clock = VirtualClock()
     state = stand_in.held(clock)
     state = replace(state, held=replace(state.held, **(held or {})), **changes)
-    view = View(state, clock.monotonic(), clock.utc(), AppSettings(), track=track)
+    view = View(state, clock.monotonic(), clock.utc(), AppOptions(), track=track)
     return after_release(view), bad_day(view)[1]
 
 
@@ -59,7 +59,7 @@ def test_a_pursuit_that_a_lost_link_has_interrupted_goes_on_and_is_named_with_it
     clock = VirtualClock()
     state, desk, _ = track_stand_in.interrupted(clock)
     held = HeldState("birdcage", clock.monotonic(), clock.utc(), "link", "tracker", 93.0, 41.0)
-    view = View(replace(state, held=held), clock.monotonic(), clock.utc(), AppSettings(), track=desk)
+    view = View(replace(state, held=held), clock.monotonic(), clock.utc(), AppOptions(), track=desk)
     az_deg, el_deg = state.pursuit.plan.sky.at(clock.utc().timestamp())
     words = bad_day(view)[1]
     assert f"Enter release: tracker moves it to {az_deg % 360:.0f}°/{el_deg:.0f}° for METEOR-M2 4" in words
@@ -77,7 +77,7 @@ def test_who_was_refused_may_move_it_and_you_do_not():
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ({"search": Search.RUNNING}, "the TV search moves it on"),
+        ({"search": TvSearch.RUNNING}, "the TV search moves it on"),
         ({"activity": Activity.STOPPING}, "it may still be moving"),
         ({"last_stop": StopReport("you", 0.0, "retarget", False, "")}, "it may still be moving"),
         ({"last_stop": StopReport("you", 0.0, "end of move", None, "")}, "it may still be moving"),
@@ -110,5 +110,5 @@ def test_only_a_dish_at_rest_after_a_confirmed_stop_is_said_to_stay():
     for phase in Phase:
         held = HeldState("birdcage", clock.monotonic(), clock.utc(), "link")
         view = View(replace(state, held=held, pursuit=replace(state.pursuit, phase=phase)), clock.monotonic(),
-                    clock.utc(), AppSettings(), track=desk)  # fmt: skip
+                    clock.utc(), AppOptions(), track=desk)  # fmt: skip
         assert (after_release(view) == "nothing moves then") == (phase is not Phase.INTERRUPTED), phase

@@ -8,7 +8,7 @@ import pytest
 import stand_in
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Home, Pursue, Release, ReleaseLease
 from birdcage_tui.next_steps import next_steps
 from desk_house import play

@@ -10,7 +10,7 @@ from birdcage.setup.case import Cause
 from birdcage.setup.engine import CLEAR_QUESTION
 from birdcage.setup.step import Choice, Field
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
-from birdcage.station.state import Link, LinkState
+from birdcage.station.state import LinkPhase, LinkState
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.setup.form import ChoiceButton
 from birdcage_tui.setup.steps import StepsPane
@@ -285,7 +285,7 @@ def test_a_letter_that_would_turn_the_dish_far_selects_its_answer_and_enter_give
 def test_without_a_port_it_says_so_and_blames_nothing():
     async def none(app, pilot, engine):
         state = app.station.state
-        app.station.state = replace(state, port="", link=LinkState(Link.LOST, detail="No port is set."))
+        app.station.state = replace(state, port="", link=LinkState(LinkPhase.LOST, detail="No port is set."))
         await settle(app, pilot)
         return stand_in.text_of(app)
 

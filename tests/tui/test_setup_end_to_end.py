@@ -25,7 +25,7 @@ from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from setup_stage import inside
 
 NOON = datetime(2026, 3, 20, 18, 20, 0, tzinfo=UTC)
@@ -67,7 +67,7 @@ class Garden:
             return self.setup
 
         page = "setup" if is_first_run(settings, self.paths) or not wanted.port else "dashboard"
-        self.app = BirdcageApp(self.session, AppSettings(setup=make, first_page=page))
+        self.app = BirdcageApp(self.session, AppOptions(setup=make, first_page=page))
         return self.app.run_test(size=self.size)
 
     def _open(self, port, baud):

@@ -19,10 +19,10 @@ from birdcage.signal.monitor import SignalMonitor
 from birdcage.signal.receiver import ReceiverSource
 from birdcage.signal.source import Scale, SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER_FACTS, TunerSource
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.panes.signal import SignalPane
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.signal_book import SignalBook
 from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.view import View
@@ -313,7 +313,7 @@ def test_it_belongs_to_its_owner_while_another_page_is_seen():
 
 def test_a_simulated_receiver_beside_a_real_dish_is_called_so():
     clock = VirtualClock()
-    view = View(stand_in.at_rest(clock), clock.monotonic(), clock.utc(), AppSettings())
+    view = View(stand_in.at_rest(clock), clock.monotonic(), clock.utc(), AppOptions())
     view = replace(view, heard=replace(RECEIVER_FACTS, demo=True))
     assert view.heard_by == "receiver"
     assert replace(view, state=replace(view.state, demo=False)).heard_by == "DEMO receiver"

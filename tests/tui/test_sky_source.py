@@ -18,7 +18,7 @@ from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.frozen import frozen
 from birdcage.sky.observer import Observer
 from birdcage_tui.run import DEMO_PLACE
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.sky_feed import make_sky
 from icalendar import Calendar
 
@@ -112,7 +112,7 @@ def test_other_limits_of_the_dish_give_another_reach(stage):
 
 def test_another_place_gives_other_passes(stage):
     before = stage.step()
-    stage.source.keep(stand_in.at_rest(stage.clock), Place(-33.9, 18.4, "Cape Town"))
+    stage.source.keep(stand_in.at_rest(stage.clock), SitePlace(-33.9, 18.4, "Cape Town"))
     after = stage.step(2.0)
     assert {row.tca_s for row in after.rows}.isdisjoint({row.tca_s for row in before.rows})
 

@@ -12,7 +12,7 @@ from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.station import Station
 from birdcage_tui.app import BirdcageApp
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 
 from tests.shared.night import by_night
 from tests.standin.covering import HEALTHY, STRANGE, pairwise, singles
@@ -49,7 +49,7 @@ class Room:
         settings = StationSettings("standin", "g2", self._open, feed=STOCK_FEED, feed_name="stock-ku")
         self.station = Station(self.clock, settings)
         self.session = Stepped(self.clock, self.station)
-        self.app = BirdcageApp(self.session, AppSettings(place=Place(39.1, -95.7)))
+        self.app = BirdcageApp(self.session, AppOptions(place=SitePlace(39.1, -95.7)))
 
     def _open(self, port, baud):
         return Link(MemoryPort(self.dish, port, baud), self.clock)

@@ -21,9 +21,9 @@ from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, St
 from birdcage.rotator.own import OwnFacts
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
-from birdcage.station.state import Activity, HeldState, Link, LinkState, Motion, Search, StopReport
+from birdcage.station.state import Activity, HeldState, LinkPhase, LinkState, Motion, StopReport, TvSearch
 from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
 from birdcage_tui.words import bad_day, calm, motion_text
@@ -32,7 +32,7 @@ from stand_in import STATES
 from tests.station.conftest import Bench
 from tests.station.pursuit_bench import at, g2, plan_of
 from tests.station.queued_bench import connected
-from tests.station.talk_bench import TalkBench
+from tests.station.raw_console_bench import TalkBench
 
 PROMISE = re.compile(r"^STOP (holds it|takes [\d.]+ s|should take|should stop|brings it|ends the|at end of move)")
 DENIAL = re.compile(r"[Nn]o STOP|can't")
@@ -41,7 +41,7 @@ WIDEST = 36
 
 
 def view_of(bench) -> View:
-    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppSettings())
+    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppOptions())
 
 
 # What STOP does, held against what was said of it.
@@ -244,17 +244,17 @@ def test_no_line_claims_more_than_is_known(machine, activity):
 
     clock = VirtualClock()
     state = replace(STATES["travler" if machine == "hal205" else "idle"](clock), dish=MACHINES[machine])
-    plain = View(state, clock.monotonic(), clock.utc(), AppSettings())
+    plain = View(state, clock.monotonic(), clock.utc(), AppOptions())
     held = HeldState("you", plain.now, plain.utc, "stop")
     reports = [None, *(StopReport("you", plain.now, *each, "") for each in product(REPORTED, (None, False)))]
     kinds = [(motion, by) for motion in motions(plain) for by in (UNPLANNED if motion is None else UNPLANNED[:1])]
-    for link, (motion, by), report, latched in product(Link, kinds, reports, (None, held)):
+    for link, (motion, by), report, latched in product(LinkPhase, kinds, reports, (None, held)):
         now = replace(state, activity=activity, motion=motion, last_stop=report, held=latched, unplanned_stop=by,
                       link=LinkState(link, plain.now))  # fmt: skip
         _check(replace(plain, state=now))
         if report is None:
             _check(replace(plain, state=now, crash="Boom"))
-            _check(replace(plain, state=replace(now, search=Search.RUNNING)))
+            _check(replace(plain, state=replace(now, search=TvSearch.RUNNING)))
 
 
 def _check(view: View) -> None:

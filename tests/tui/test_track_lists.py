@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import stand_in
 from birdcage.pursuit.now import Scheduled, Unfinished
-from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.sky.reach_model import Lost, PassReach, Stretch
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
 from birdcage_tui.track.words import reach_words
@@ -107,7 +107,9 @@ def moon_day():
     times = np.linspace(NOON, NOON + 86400.0, 145)
     sky = Curve(times, times * 0.0 + 180.0, 10.0 + 40.0 * np.cos((times - NOON) / 86400.0 * 2.0 * np.pi))
     spans = (Stretch(utc(NOON), utc(NOON + 11000.0), 0), Stretch(utc(NOON + 75600.0), utc(NOON + 86400.0), 0))
-    return replace(moon(), day=Day(sky, Reach(spans, (Lost(utc(NOON + 11000.0), utc(NOON + 75600.0), "floor"),), 50.0)))
+    return replace(
+        moon(), day=Day(sky, PassReach(spans, (Lost(utc(NOON + 11000.0), utc(NOON + 75600.0), "floor"),), 50.0))
+    )
 
 
 @pytest.mark.parametrize("size", SIZES[1:3], ids=str)

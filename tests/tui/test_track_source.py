@@ -3,10 +3,10 @@
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import PlaceSettings
 from birdcage.sky.horizon import HorizonMask
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.track_source import DeskSource
 
-HERE = Place(50.0, 10.0, "here")
+HERE = SitePlace(50.0, 10.0, "here")
 TREES = HorizonMask([(10, 4), (20, 5)])
 
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 from birdcage.station.events import End, MoveEnded, PursuitChanged
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Jog, ReleaseLease
 from textual.widgets import Input
 from track_stage import SIZES, read, run

@@ -11,12 +11,12 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto, Home, SetSearch, TurnSkew
-from birdcage.station.state import Activity, HeldState, Link, LinkState, Search, StopReport
+from birdcage.station.state import Activity, HeldState, LinkPhase, LinkState, StopReport, TvSearch
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.goto import foretell
 from birdcage_tui.goto_skew import skew_of
 from birdcage_tui.panes.health import HealthPane
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
 from birdcage_tui.words import bad_day, calm, ended_text, motion_text
@@ -27,7 +27,7 @@ SIZES = [(80, 24), (120, 36), (160, 48)]
 
 def view_of(name):
     clock = VirtualClock()
-    return View(stand_in.STATES[name](clock), clock.monotonic(), clock.utc(), AppSettings())
+    return View(stand_in.STATES[name](clock), clock.monotonic(), clock.utc(), AppOptions())
 
 
 def row_with(text, word):
@@ -78,7 +78,7 @@ def test_a_modelled_position_is_told_by_a_sign_and_a_word(size, glyphs):
 def test_a_silent_slew_is_not_taken_for_a_dish_that_owes_an_answer():
     clock = VirtualClock()
     state = stand_in.travler_slew(clock)
-    view = View(state, clock.monotonic() + 30.0, clock.utc(), AppSettings(), watched=True)
+    view = View(state, clock.monotonic() + 30.0, clock.utc(), AppOptions(), watched=True)
     assert not view.late
     assert not view.stale
     assert view.position_age_s == pytest.approx(34.6), "its age is counted from the last reading"
@@ -178,7 +178,7 @@ def test_the_search_of_a_g2_is_not_ended_by_that_key():
 def test_a_dish_without_a_search_says_so_and_owes_nothing():
     view = view_of("idle")
     dish = replace(view.state.dish, search_switch=SearchSwitch.NEVER_SEARCHES, search_setting=None)
-    view = replace(view, state=replace(view.state, dish=dish, search=Search.NONE))
+    view = replace(view, state=replace(view.state, dish=dish, search=TvSearch.NONE))
     assert BY_NAME["search"].refused(view) == "This dish has no TV search."
     assert [(ink, value) for ink, name, value in HealthPane.facts(view) if name == "TV search"] == [
         (("●", "good"), "none")
@@ -279,8 +279,8 @@ def test_the_end_of_a_motion_tells_the_skew_where_there_is_one():
 
 def test_the_opening_is_told_once():
     view = view_of("travler")
-    opening = LinkState(Link.OPENING, detail="opening dish-1")
-    text = bad_day_or_calm(View(replace(view.state, link=opening), view.now, view.utc, AppSettings()))
+    opening = LinkState(LinkPhase.OPENING, detail="opening dish-1")
+    text = bad_day_or_calm(View(replace(view.state, link=opening), view.now, view.utc, AppOptions()))
     assert text == "Opening dish-1 …"
 
 
@@ -301,7 +301,7 @@ def test_a_dish_that_still_turns_after_stop_is_not_said_to_be_held(means, confir
     view = view_of("travler")
     stopped = StopReport("you", view.now, means, confirmed, "A sentence.")
     state = replace(view.state, motion=None, activity=Activity.STOPPING, last_stop=stopped)
-    assert stop_text(View(state, view.now, view.utc, AppSettings())) == words
+    assert stop_text(View(state, view.now, view.utc, AppOptions())) == words
 
 
 def test_a_move_that_nothing_calls_back_is_not_said_to_have_been_sent_a_stop():
@@ -309,6 +309,6 @@ def test_a_move_that_nothing_calls_back_is_not_said_to_have_been_sent_a_stop():
     held = HeldState("you", view.now, view.utc, "stop")
     stopped = StopReport("you", view.now, "end of move", None, "A sentence.")
     state = replace(view.state, held=held, activity=Activity.STOPPING, last_stop=stopped)
-    _ink, words = bad_day(View(state, view.now, view.utc, AppSettings()))
+    _ink, words = bad_day(View(state, view.now, view.utc, AppOptions()))
     assert "no STOP for this move: it ends by itself" in words
     assert "STOP sent" not in words

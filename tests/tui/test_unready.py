@@ -18,7 +18,7 @@ from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.ready.check import Check
 from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.frozen import frozen
-from birdcage.station.state import Link, LinkState, Search
+from birdcage.station.state import LinkPhase, LinkState, TvSearch
 from birdcage_tui.control.fields import FieldsScreen
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.ready_watch import KeptChecks, ReadyWatch
@@ -121,9 +121,9 @@ def test_its_key_asks_for_what_is_missing(check, sentence, key, title):
     [
         (LIMITS, {}, "limits", "▲ Cable limits are the firmware's. Your coax may be shorter. 8: set yours."),
         (FEED, {}, "feed", "▲ Which feed is fitted? birdcage assumes stock Ku LNB. 8: tell which."),
-        (SEARCH, {"search": Search.UNKNOWN}, "search",
+        (SEARCH, {"search": TvSearch.UNKNOWN}, "search",
          "▲ The TV search may move the dish: not known to be off. 8: switch it off."),
-        (PORT, {"link": LinkState(Link.LOST, 0.0, 0.0, 0.0, "Plug in the adapter."), "port": ""}, "link",
+        (PORT, {"link": LinkState(LinkPhase.LOST, 0.0, 0.0, 0.0, "Plug in the adapter."), "port": ""}, "link",
          "▲ No port is set. 8: find the dish."),
     ],
     ids=lambda each: each.subject if isinstance(each, Check) else "",
@@ -173,7 +173,7 @@ def test_8_elsewhere_stays_where_the_setup_is():
     [
         ((NO_PLACE,), {}),
         ((DISH, PORT, SEARCH), {}),
-        ((SEARCH,), {"search": Search.OFF_UNTIL_POWER_UP}),
+        ((SEARCH,), {"search": TvSearch.OFF_UNTIL_POWER_UP}),
     ],
 )
 def test_what_the_station_knows_to_be_so_is_no_finding(checks, state):

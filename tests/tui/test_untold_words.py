@@ -11,7 +11,7 @@ from birdcage.station.state import Activity
 from birdcage_tui.control.last import _hint
 from birdcage_tui.held_words import held_words
 from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.stop_words import stop_text
 from birdcage_tui.view import View
 from birdcage_tui.words import ended_text, motion_text
@@ -26,7 +26,7 @@ def met(options=""):
 
 
 def view_of(bench):
-    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppSettings(), watched=True)
+    return View(bench.state, bench.clock.monotonic(), bench.clock.utc(), AppOptions(), watched=True)
 
 
 def said(bench):

@@ -12,7 +12,7 @@ from birdcage.sky.elements import ElementSet
 from birdcage.sky.footprint import footprint
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import SubSolar
-from birdcage.sky.world import Ground, WorldView
+from birdcage.sky.world import SubPoint, WorldView
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.model import Row
@@ -54,7 +54,7 @@ def spot_of(pane, cells, latitude_deg, longitude_deg):
 
 
 def followed(latitude_deg=0.0, longitude_deg=0.0, altitude_km=800.0, **more):
-    chosen = Ground("METEOR", 1, latitude_deg, longitude_deg, altitude_km)
+    chosen = SubPoint("METEOR", 1, latitude_deg, longitude_deg, altitude_km)
     return replace(
         BARE, chosen=chosen, footprint=footprint(latitude_deg, longitude_deg, altitude_km), **more
     )  # fmt: skip
@@ -173,7 +173,7 @@ def test_the_ring_of_a_polar_satellite_closes_over_the_pole_and_leaves_no_line_a
 
 
 def test_the_observer_and_the_sun_are_marked_and_others_named_where_there_is_room():
-    others = (Ground("ALPHA", 2, -30.0, -120.0, 500.0), Ground("BETA", 3, -30.0, -25.0, 500.0, favourite=True))
+    others = (SubPoint("ALPHA", 2, -30.0, -120.0, 500.0), SubPoint("BETA", 3, -30.0, -25.0, 500.0, favourite=True))
     pane, cells = drawn(followed(0.0, -140.0, observer=HERE, satellites=others))
     for (latitude, longitude), glyph, ink in (
         ((52.1, 5.2), "◉", "accent-strong"),
@@ -368,7 +368,7 @@ def test_on_the_largest_screen_the_list_stands_beside_the_map():
 
 
 def test_a_satellite_over_a_coast_has_its_name_on_it():
-    others = (Ground("OVER THE BALTIC", 2, 57.0, 19.0, 500.0), Ground("OVER SUMATRA", 3, 0.0, 102.0, 500.0))
+    others = (SubPoint("OVER THE BALTIC", 2, 57.0, 19.0, 500.0), SubPoint("OVER SUMATRA", 3, 0.0, 102.0, 500.0))
     _, cells = drawn(followed(0.0, -140.0, satellites=others))
     text = "\n".join(rows_of(cells))
     assert "OVER THE BALTIC" in text

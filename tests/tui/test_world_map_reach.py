@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 import sky_stand_in
-from birdcage.sky.world import Ground
-from birdcage.station.pursuit import Phase
+from birdcage.sky.world import SubPoint
+from birdcage.station.pursuit_state import Phase
 from birdcage_tui.passes.model import InReach
 from birdcage_tui.passes.world_map_ask import reach_span_text
 from test_world_map import VIEW, drawn, followed, rows_of
@@ -21,8 +21,8 @@ def follows(norad_id, name):
 
 @pytest.mark.parametrize("chosen", [7, 1], ids=["another", "the chosen one"])
 def test_what_the_dish_follows_is_named_as_that_among_many(chosen):
-    crowd = [Ground(f"CROWD {n}", 100 + n, 60.0 - n, 4.0 * n, 800.0, favourite=True) for n in range(40)]
-    world = followed(20.0, 10.0, satellites=(*crowd, Ground("LEO 1 polar", 7, -20.0, -90.0, 800.0)))
+    crowd = [SubPoint(f"CROWD {n}", 100 + n, 60.0 - n, 4.0 * n, 800.0, favourite=True) for n in range(40)]
+    world = followed(20.0, 10.0, satellites=(*crowd, SubPoint("LEO 1 polar", 7, -20.0, -90.0, 800.0)))
     _, cells = drawn(world, view=follows(chosen, "DEMO LEO 1 polar"))
     text = "\n".join(rows_of(cells))
     assert text.count("following ") == 1

@@ -15,10 +15,10 @@ from birdcage.sky.downlinks import Downlink
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.sky.reach_model import Lost, PassReach, Stretch
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
-from birdcage.tracking.plan import Aim, Forecast, Incident, Keyhole, Leg, Part, Plan, Preposition
+from birdcage.tracking.plan import Forecast, Incident, Keyhole, Plan, PlanLeg, PlanPart, PlanTarget, Preposition
 from birdcage.tracking.pointing_error import pointing_error
 
 NOON = sky_stand_in.NOON
@@ -41,7 +41,7 @@ def way(start_s, length_s, from_az, to_az, top_deg):
 
 def reach_of(path):
     found = sky_stand_in.reach_of(path)
-    return Reach(
+    return PassReach(
         tuple(Stretch(utc(start), utc(end), 0) for start, end in found.intervals),
         tuple(Lost(utc(each.start_s), utc(each.end_s), each.reason) for each in found.lost),
         found.best_el_deg,
@@ -58,7 +58,7 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
     passing = Pass(name, number, utc(start_s), utc(path.t_s[highest]), utc(path.t_s[-1]), float(from_az),
                    float(path.az_deg[highest]), float(to_az), top)  # fmt: skip
     spans = [(one.start.timestamp(), one.end.timestamp()) for one in reach.intervals]
-    legs = tuple(Leg(Part.FOLLOW, a, b, sky.at(a)[0], sky.at(b)[0], 0) for a, b in spans)
+    legs = tuple(PlanLeg(PlanPart.FOLLOW, a, b, sky.at(a)[0], sky.at(b)[0], 0) for a, b in spans)
     times = np.linspace(spans[0][0], spans[-1][1], 200)
     az, el = sky.sample(times)
     errors = 0.02 + 0.02 * np.abs(np.sin(times / 40.0))
@@ -80,7 +80,8 @@ def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=34
     dish = Forecast(times, errors, 12.0 * (errors / 2.6) ** 2, float(np.sqrt(np.mean(errors**2))), float(errors.max()))
     aged = elements_of(number, passing, age_days)
     return Plan(
-        Aim(name, "satellite", number, frequency_hz, offset_s, downlink=LRPT if frequency_hz == 137.9e6 else None),
+        PlanTarget(name, "satellite", number, frequency_hz, offset_s,
+        downlink=LRPT if frequency_hz == 137.9e6 else None),
         utc(NOON - 600.0), passing, reach, sky,
         Curve(times, az, el), legs,
         Preposition(first[0], first[1], first[0] % 360.0, first[1], (first,), spans[0][0] - 68.0, 8.0), holes,
@@ -113,11 +114,11 @@ def moon():
     """A plan of what does not pass."""
     times = np.linspace(NOON, NOON + 3600.0, 61)
     sky = Curve(times, 171.0 + (times - NOON) / 200.0, 42.0 + (times - NOON) / 900.0)
-    reach = Reach((Stretch(utc(NOON), utc(NOON + 3600.0), 0),), (), 46.0)
+    reach = PassReach((Stretch(utc(NOON), utc(NOON + 3600.0), 0),), (), 46.0)
     dish = Forecast(times, np.full(61, 0.02), None, 0.02, 0.03)
     return Plan(
-        Aim("Moon", "body"), utc(NOON), None, reach, sky, sky,
-        (Leg(Part.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
+        PlanTarget("Moon", "body"), utc(NOON), None, reach, sky, sky,
+        (PlanLeg(PlanPart.FOLLOW, NOON, NOON + 3600.0, 171.0, 189.0, 0),),
         Preposition(171.0, 42.0, 171.0, 42.0, ((171.0, 42.0),), NOON, 3.0), (),
         dish, (), pointing=pointing_error(dish, None, None),
     )  # fmt: skip
@@ -130,20 +131,20 @@ def geo(name="110.0°W EchoStar", *, az_deg=190.0, el_deg=40.0, drift_deg=0.0, l
     day_sky = Curve(times, az_deg + 0.1 * drift_deg * turn, el_deg + 0.5 * drift_deg * turn)
     whole = Stretch(utc(NOON), utc(NOON + 86400.0), 0)
     lost = Lost(utc(NOON), utc(NOON + 86400.0), "floor")
-    day_reach = Reach((), (lost,), None) if limit else Reach((whole,), (), el_deg)
+    day_reach = PassReach((), (lost,), None) if limit else PassReach((whole,), (), el_deg)
     sky = Curve(times[:7], day_sky.az_deg[:7], day_sky.el_deg[:7])
     end_s = NOON + 3600.0
     dish = Forecast(times[:7], np.full(7, 0.03), None, 0.03, 0.06)
     bare = Plan(
-        Aim(name, "slot" if number is None else "satellite", number), utc(NOON), None,
-        Reach((), (Lost(utc(NOON), utc(end_s), "floor"),), None), sky, None, (), None, (), None, (),
+        PlanTarget(name, "slot" if number is None else "satellite", number), utc(NOON), None,
+        PassReach((), (Lost(utc(NOON), utc(end_s), "floor"),), None), sky, None, (), None, (), None, (),
         (f"Always up, out of reach: {limit}.",), day=Day(day_sky, day_reach, (limit,) if limit else ()),
     )  # fmt: skip
     if limit:
         return bare
     return replace(
-        bare, reach=Reach((Stretch(utc(NOON), utc(end_s), 0),), (), el_deg), course=sky, notes=(),
-        legs=(Leg(Part.FOLLOW, NOON, end_s, az_deg, az_deg, 0),),
+        bare, reach=PassReach((Stretch(utc(NOON), utc(end_s), 0),), (), el_deg), course=sky, notes=(),
+        legs=(PlanLeg(PlanPart.FOLLOW, NOON, end_s, az_deg, az_deg, 0),),
         preposition=Preposition(az_deg, el_deg, az_deg, el_deg, ((az_deg, el_deg),), NOON, 3.0),
         forecast=dish, pointing=pointing_error(dish, None, None),
     )  # fmt: skip

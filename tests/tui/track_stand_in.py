@@ -8,16 +8,16 @@ from dataclasses import replace
 import sky_stand_in
 import stand_in
 from birdcage.base.geometry import separation
-from birdcage.pursuit.now import DeskNow, Found, Mode, Scheduled, Unfinished
+from birdcage.pursuit.now import DeskNow, Mode, Scheduled, TargetMatch, Unfinished
 from birdcage.radio import peer
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.sky.look import LookAngle
 from birdcage.sky.skew import Skew
-from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions, Sample
+from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit, PursuitOptions
 from birdcage.station.state import Activity, HeldState
-from birdcage.tracking.plan import Aim
-from birdcage_tui.view import Sample as Heard
+from birdcage.tracking.plan import PlanTarget
+from birdcage_tui.view import SignalSample as Heard
 from track_plans import NOON, believed, geo, moon, plan, utc
 
 
@@ -35,7 +35,7 @@ def looks(of, upto_s=NOON, clock_now=0.0):
             off = 0.025 * math.sin(t_s / 7.0) + (0.02 * math.sin(t_s * 1.3))
             here = (az_deg + off / max(math.cos(math.radians(el_deg)), 0.1), el_deg + 0.4 * off)
             error = separation(az_deg, el_deg, *here)
-            found.append(Sample(
+            found.append(PointingSample(
                 clock_now + t_s - NOON, utc(t_s), az_deg % 360, el_deg, az_deg % 360, el_deg, (az_deg + 0.3) % 360,
                 el_deg + 0.1, here[0] % 360, here[1], error, None if (seen := believed(of, t_s, error)) is None
                 else 12.0 * (seen / 2.6) ** 2, seen,
@@ -45,11 +45,11 @@ def looks(of, upto_s=NOON, clock_now=0.0):
 
 
 FOUND = (
-    Found("59051", "METEOR-M2 4", "satellite", "59051 · 6 h old", favourite=True),
-    Found("25544", "ISS (ZARYA)", "satellite", "25544 · 2 h old", favourite=True),
-    Found("43689", "METOP-C", "satellite", "43689 · 6 h old", favourite=True),
-    Found("sun", "Sun", "body"),
-    Found("moon", "Moon", "body"),
+    TargetMatch("59051", "METEOR-M2 4", "satellite", "59051 · 6 h old", favourite=True),
+    TargetMatch("25544", "ISS (ZARYA)", "satellite", "25544 · 2 h old", favourite=True),
+    TargetMatch("43689", "METOP-C", "satellite", "43689 · 6 h old", favourite=True),
+    TargetMatch("sun", "Sun", "body"),
+    TargetMatch("moon", "Moon", "body"),
 )
 
 
@@ -157,7 +157,7 @@ def followed_moon(clock):
 
 
 def chosen_slot(clock):
-    aim = Aim("28.2°E Astra 28", "slot", skew=Skew(-13.96, 7.0))
+    aim = PlanTarget("28.2°E Astra 28", "slot", skew=Skew(-13.96, 7.0))
     return stand_in.at_rest(clock), desk(replace(moon(), aim=aim)), []
 
 

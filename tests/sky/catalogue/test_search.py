@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 import pytest
-from birdcage.sky.catalogue import Entry, SearchIndex
+from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
 
 NOW = datetime(2026, 7, 1, tzinfo=UTC)
 
@@ -14,7 +14,7 @@ NOW = datetime(2026, 7, 1, tzinfo=UTC)
 def index(sat):
     def entry(name, norad_id, *groups, tags=(), favourite=False, priority=0, designator=""):
         elements = sat(name, norad_id, international_designator=designator)
-        return Entry(elements, NOW, groups, tags, favourite, priority)
+        return CatalogueEntry(elements, NOW, groups, tags, favourite, priority)
 
     return SearchIndex(
         [

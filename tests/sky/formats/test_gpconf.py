@@ -13,7 +13,7 @@ import gpconf
 import pytest
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.formats import alpha5, numbers, read_path, read_text
-from birdcage.sky.formats.harvest import Unreadable
+from birdcage.sky.formats.parse_result import Unreadable
 from gpconf.runner import Runner
 from gpconf.tle import omm_fields_from_record, render, to_alpha5
 

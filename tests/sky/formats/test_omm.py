@@ -9,7 +9,7 @@ from datetime import UTC, datetime, timedelta
 from math import degrees, pi
 
 import pytest
-from birdcage.sky.formats import Harvest, read_text
+from birdcage.sky.formats import ParseResult, read_text
 from sgp4 import omm as sgp4_omm
 from sgp4.api import Satrec
 
@@ -67,7 +67,7 @@ def as_xml(*rows: dict[str, str]) -> str:
 WRITERS = {"json": as_json, "csv": as_csv, "xml": as_xml, "kvn": as_kvn}
 
 
-def read(text: str) -> Harvest:
+def read(text: str) -> ParseResult:
     return read_text(text, "pasted")
 
 

@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 
 import pytest
-from birdcage.sky.formats import Group, Harvest, read_path, read_text
+from birdcage.sky.formats import NumberGroup, ParseResult, read_path, read_text
 
 LINE_1 = "1 25544U 98067A   18020.89808844  .00001789  00000-0  34232-4 0  9990"
 LINE_2 = "2 25544  51.6424 359.2893 0003646 356.2318 141.8186 15.54186379 95535"
@@ -55,7 +55,7 @@ def written(name: str) -> dict[str, str]:
     }
 
 
-def names(harvest: Harvest) -> list[str]:
+def names(harvest: ParseResult) -> list[str]:
     return [one.name for one in harvest.elements]
 
 
@@ -113,8 +113,8 @@ def test_a_satdata_folder(tmp_path: Path) -> None:
     harvest = read_path(tmp_path)
     assert sorted(names(harvest)) == sorted(f"SAT {number}" for number in range(50))
     assert harvest.groups == (
-        Group("Amateur Radio", (7530, 24278), str(tmp_path / "amateur.cat")),
-        Group("Weather", (25338,), str(tmp_path / "bad.cat")),
+        NumberGroup("Amateur Radio", (7530, 24278), str(tmp_path / "amateur.cat")),
+        NumberGroup("Weather", (25338,), str(tmp_path / "bad.cat")),
     )
     assert [(Path(c.source).name, c.line) for c in harvest.complaints] == [("bad.cat", 3), ("empty.cat", 0)]
     assert str(harvest.complaints[0]) == f"{tmp_path / 'bad.cat'}:3: 'NOAA 19' is not a catalogue number"
@@ -122,7 +122,7 @@ def test_a_satdata_folder(tmp_path: Path) -> None:
 
 def test_a_group_as_text() -> None:
     harvest = read_text("NOAA\n25338\n28654\n33591\n", "pasted")
-    assert harvest == Harvest(groups=(Group("NOAA", (25338, 28654, 33591), "pasted"),))
+    assert harvest == ParseResult(groups=(NumberGroup("NOAA", (25338, 28654, 33591), "pasted"),))
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 import sgp4
-from birdcage.sky.formats import Harvest, read_text
+from birdcage.sky.formats import ParseResult, read_text
 from sgp4.api import Satrec
 
 NAME = "ISS (ZARYA)"
@@ -25,11 +25,11 @@ def checksummed(line: str) -> str:
 LINE_1, LINE_2 = checksummed(LINE_1), checksummed(LINE_2)
 
 
-def read(*lines: str, end: str = "\n") -> Harvest:
+def read(*lines: str, end: str = "\n") -> ParseResult:
     return read_text(end.join(lines), "pasted")
 
 
-def only_complaint(harvest: Harvest) -> tuple[int, str]:
+def only_complaint(harvest: ParseResult) -> tuple[int, str]:
     assert harvest.elements == ()
     assert len(harvest.complaints) == 1, harvest.complaints
     assert harvest.complaints[0].source == "pasted"

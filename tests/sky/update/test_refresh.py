@@ -275,9 +275,9 @@ def test_a_satellite_that_was_removed_comes_back_with_the_next_update(server, ca
 
 def test_the_sources_are_celestraks_in_json_and_satnogs_and_a_mirror_takes_their_place():
     assert set(DEFAULT_GROUPS) < set(GROUPS)
-    weather, iridium, satnogs = find_sources(("WEATHER", "iridium-next", "satnogs", "weather"))[:3]
-    assert weather.url == "https://celestrak.org/NORAD/elements/gp.php?GROUP=weather&FORMAT=JSON"
-    assert weather.polite_s == POLITE_S == 7200
+    fault_mix, iridium, satnogs = find_sources(("WEATHER", "iridium-next", "satnogs", "weather"))[:3]
+    assert fault_mix.url == "https://celestrak.org/NORAD/elements/gp.php?GROUP=weather&FORMAT=JSON"
+    assert fault_mix.polite_s == POLITE_S == 7200
     assert iridium.url.endswith("GROUP=iridium-NEXT&FORMAT=JSON")
     assert satnogs.url == "https://db.satnogs.org/api/tle/?format=json"
     (mine,) = find_sources(("my birds",), mirror_url="http://nas/{group}.json")

@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 
-from birdcage_tui.control.fields import LINE_END, Field, FieldsScreen, Values
-from birdcage_tui.settings import Place
+from birdcage_tui.control.fields import LINE_END, FieldRow, FieldsScreen, Values
+from birdcage_tui.settings import SitePlace
 
 if TYPE_CHECKING:
     from birdcage_tui.app import BirdcageApp
-    from birdcage_tui.sky_add import Added
+    from birdcage_tui.sky_add import AddOutcome
 
 
 def ask_elements(app: BirdcageApp, typed: str = "", wrong: str = "") -> None:
@@ -23,7 +23,7 @@ def ask_elements(app: BirdcageApp, typed: str = "", wrong: str = "") -> None:
     def check(values: Values) -> str:
         return "" if values[0].strip() else "Type a path, or paste elements."
 
-    def told(text: str, added: Added) -> None:
+    def told(text: str, added: AddOutcome) -> None:
         if added.whole:
             app.say(added.words)
         else:
@@ -37,7 +37,7 @@ def ask_elements(app: BirdcageApp, typed: str = "", wrong: str = "") -> None:
             app.say("This app watches no sky, so it has no elements.")
 
     words = "Type the path of a file with TLE or OMM, or paste its text. The newest elements of each satellite count."
-    fields = (Field("elements", typed, "~/iss.txt, or paste", pastes=True),)
+    fields = (FieldRow("elements", typed, "~/iss.txt, or paste", pastes=True),)
     app.push_screen(FieldsScreen("Add elements", words, fields, check, wrong), answered)
 
 
@@ -66,12 +66,12 @@ def ask_place(app: BirdcageApp) -> None:
         except BirdcageError as problem:
             app.say(str(problem))
             return
-        app.move_to(Place(found.latitude_deg, found.longitude_deg, found.name))
+        app.move_to(SitePlace(found.latitude_deg, found.longitude_deg, found.name))
         where = f"{found.name}, " if found.name else ""
         app.say(f"Location set: {where}{found.latitude_deg:.4f}°, {found.longitude_deg:.4f}°.")
 
     words = "Type a city, a locator, or latitude and longitude. Passes are recomputed at once."
-    fields = (Field("location", "", "Rotterdam or JO21jv"),)
+    fields = (FieldRow("location", "", "Rotterdam or JO21jv"),)
     app.push_screen(FieldsScreen("Set location", words, fields, check, read=lambda values: place_words(values[0])),
                     answered)  # fmt: skip
 

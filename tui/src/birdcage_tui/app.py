@@ -32,17 +32,17 @@ from birdcage_tui.control.reach import refusal_of
 from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.goto import GotoLine
 from birdcage_tui.help import HelpScreen, help_words
-from birdcage_tui.jump import JumpScreen, Target, targets
+from birdcage_tui.jump import JumpScreen, JumpTarget, targets
 from birdcage_tui.main import main  # noqa: F401 - the published interface names `birdcage_tui.app:main`
 from birdcage_tui.messages import CommandChosen
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.pages.page import Page
 from birdcage_tui.palette import Palette
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.shell import Shell
 from birdcage_tui.stop_words import power_switch
 from birdcage_tui.themes import LOOKS
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.unready import SETUP, setup_step
 from birdcage_tui.view import YOU, View
 
@@ -304,7 +304,7 @@ class BirdcageApp(Shell):
     def show_jump(self) -> None:
         """Put a letter on everything that can be reached; go to the one that is chosen."""
 
-        def chosen(target: Target | None) -> None:
+        def chosen(target: JumpTarget | None) -> None:
             if target is None:
                 return
             if target.command is not None:
@@ -315,7 +315,7 @@ class BirdcageApp(Shell):
 
         self.push_screen(JumpScreen(targets(self.screen_stack[0])), chosen)
 
-    def move_to(self, place: Place) -> None:
+    def move_to(self, place: SitePlace) -> None:
         """Let every page and the search for passes count from another place."""
         self.settings = replace(self.settings, place=place)
         for page in self.screen_stack[0].query(Page):

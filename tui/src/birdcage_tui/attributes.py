@@ -11,7 +11,7 @@ from rich.style import Style
 from textual.color import Color
 from textual.filter import LineFilter
 
-from birdcage_tui.themes import Look, contrast
+from birdcage_tui.themes import ThemeColours, contrast
 
 REVERSED_FROM = 1.8
 """A ground that differs this much from the look's own is a bar, a cursor or a label: reverse."""
@@ -30,7 +30,7 @@ def hex_of(colour: RichColor | None, otherwise: str) -> str:
 
 
 @lru_cache(2048)
-def without_colour(style: Style, look: Look) -> Style:
+def without_colour(style: Style, look: ThemeColours) -> Style:
     """Return `style` in attributes alone."""
     ink, ground = hex_of(style.color, look.text), hex_of(style.bgcolor, look.ground)
     if style.reverse:
@@ -46,7 +46,7 @@ def without_colour(style: Style, look: Look) -> Style:
 class AttributeFilter(LineFilter):
     """Takes the colours out of finished rows, and puts attributes in."""
 
-    def __init__(self, look: Callable[[], Look]) -> None:
+    def __init__(self, look: Callable[[], ThemeColours]) -> None:
         super().__init__()
         self._look = look
 

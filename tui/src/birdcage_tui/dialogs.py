@@ -12,7 +12,7 @@ from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.layer import Found, Layer
 from birdcage_tui.status import TopRow
 from birdcage_tui.stop_words import esc_text, stop_keys
@@ -34,7 +34,7 @@ class Dialog(ModalScreen[Found], Layer[Found]):
 
     def on_mount(self) -> None:
         """Fill row 1."""
-        cast(Host, self.app).paint()
+        cast(AppHost, self.app).paint()
 
     def show(self, view: View) -> None:
         """Name in the frame the key that closes it now, which is a target for the mouse, and what stops the dish."""
@@ -60,7 +60,7 @@ class Dialog(ModalScreen[Found], Layer[Found]):
 DECLINE = "do nothing"
 
 
-class Answer(Static):
+class AnswerRow(Static):
     """One answer on a row of its own: its key, its words, and a target for the mouse."""
 
     class Given(Message):
@@ -103,8 +103,8 @@ class QuestionScreen(Dialog[bool]):
             with VerticalScroll():
                 yield Static(self._words, markup=False)
             with Vertical(id="answers"):
-                yield Answer(" y ", self._yes, yes=True)
-                yield Answer("Esc", DECLINE, yes=False)
+                yield AnswerRow(" y ", self._yes, yes=True)
+                yield AnswerRow("Esc", DECLINE, yes=False)
 
     def on_mount(self) -> None:
         """Let the arrows scroll words that are longer than the screen."""
@@ -114,12 +114,12 @@ class QuestionScreen(Dialog[bool]):
     def show(self, view: View) -> None:
         """Name the key that declines: Esc stops the dish while it moves or may move."""
         esc = ("n", f"{DECLINE}. Esc stops the dish") if view.may_move else ("Esc", DECLINE)
-        for answer in self.query(Answer):
+        for answer in self.query(AnswerRow):
             if not answer.means_yes:
                 answer.tell(*esc)
 
-    @on(Answer.Given)
-    def _given(self, answer: Answer.Given) -> None:
+    @on(AnswerRow.Given)
+    def _given(self, answer: AnswerRow.Given) -> None:
         self.dismiss(answer.yes)
 
     def action_answer(self, yes: bool) -> None:

@@ -21,10 +21,10 @@ from birdcage_tui.esc_field import EscField
 from birdcage_tui.goto_skew import is_skew, skew_of, skew_way
 from birdcage_tui.goto_target import StillLooking, aim_of, asks_for, located_of
 from birdcage_tui.goto_text import EXAMPLES
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import YOU, View
 
@@ -163,7 +163,7 @@ class GotoLine(Vertical):
         self._locate("")
         self.remove_class("-open")
         self.query_one(Input).disabled = True
-        cast(Host, self.app).aim = None
+        cast(AppHost, self.app).aim = None
         before, self._before = self._before, None
         back = before is not None and before.is_attached and before.focusable
         self.screen.set_focus(before if back else None)
@@ -173,7 +173,7 @@ class GotoLine(Vertical):
         if not self.is_open:
             return
         preview = self.query_one(GotoPreview)
-        cast(Host, self.app).aim = self._aim(preview.text, view)
+        cast(AppHost, self.app).aim = self._aim(preview.text, view)
         rows = max(len(preview.rows(max(self.size.width - 2, 10), view)[1]), ROWS) if self.size.width else ROWS
         if preview.styles.height is None or preview.styles.height.value != rows:
             preview.styles.height, self.styles.height = rows, rows + 1
@@ -183,7 +183,7 @@ class GotoLine(Vertical):
             self.call_later(self._send, text)
 
     def _foretell(self, text: str) -> None:
-        host = cast(Host, self.app)
+        host = cast(AppHost, self.app)
         self.query_one(GotoPreview).text = text
         view = host.view()
         self._locate("" if is_skew(text) else asks_for(text, view))
@@ -192,7 +192,7 @@ class GotoLine(Vertical):
 
     def _locate(self, text: str) -> None:
         """Have the desk say where a target stands as long as its name stands here."""
-        source = cast(Host, self.app).track.source
+        source = cast(AppHost, self.app).track.source
         if source is not None and text != self._located:
             self._located = text
             source.locate(text)
@@ -219,7 +219,7 @@ class GotoLine(Vertical):
     def _send(self, text: str) -> None:
         if not self.is_open or self.query_one(Input).value != text:
             return
-        view = cast(Host, self.app).view()
+        view = cast(AppHost, self.app).view()
         sent: GotoLine.Sent | GotoLine.SkewSent
         try:
             if is_skew(text):

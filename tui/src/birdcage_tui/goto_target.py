@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.pursuit.now import Located
 from birdcage.sky.targets.direction import read_direction, refuse_two_ways
 
-from birdcage_tui.goto_text import EXAMPLES, Aim, is_direction, is_numbers, preset_of, resolve
+from birdcage_tui.goto_text import EXAMPLES, GotoAim, is_direction, is_numbers, preset_of, resolve
 from birdcage_tui.view import View
 
 
@@ -21,7 +21,7 @@ def asks_for(text: str, view: View) -> str:
     return " ".join(text.split())
 
 
-def aim_of(text: str, view: View) -> Aim:
+def aim_of(text: str, view: View) -> GotoAim:
     """Return where `text` leads from where things stand now. ValueError says what to type instead.
 
     A direction comes first, then a preset by its whole name, then a target, then the only preset that begins so. A
@@ -31,7 +31,7 @@ def aim_of(text: str, view: View) -> Aim:
     if is_direction(text) or is_numbers(text) or not text.strip():
         return resolve(read_direction(text), view.state)
     found = preset_of(text, view.presets)
-    preset = None if found is None else Aim(found[0].az_deg, found[0].el_deg, found[0].name)
+    preset = None if found is None else GotoAim(found[0].az_deg, found[0].el_deg, found[0].name)
     if preset is not None and found is not None and found[1]:
         return preset
     if view.track is None:
@@ -49,7 +49,7 @@ def aim_of(text: str, view: View) -> Aim:
     if located.az_deg is None or located.el_deg is None:
         raise ValueError(located.problem)
     name = ", ".join(filter(None, (located.name, located.silence)))
-    return Aim(located.az_deg, located.el_deg, name, located.skew)
+    return GotoAim(located.az_deg, located.el_deg, name, located.skew)
 
 
 def located_of(text: str, view: View) -> Located | None:

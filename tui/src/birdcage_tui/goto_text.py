@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from birdcage.base.geometry import wrap_360
 from birdcage.base.presets import Preset
-from birdcage.sky.targets.direction import WINDS, Part, Wish, read_direction
+from birdcage.sky.targets.direction import WINDS, AxisWish, Wish, read_direction
 from birdcage.station.state import StationState
 
 EXAMPLES = "180 45, az=180, S 40, +5 -2, moon, 28.2E, a preset"
@@ -24,7 +24,7 @@ _LARGEST_ANGLE = 360
 
 
 @dataclass(frozen=True, slots=True)
-class Aim:
+class GotoAim:
     """A wish made whole: true degrees."""
 
     az_deg: float
@@ -69,7 +69,7 @@ def preset_of(text: str, presets: Sequence[Preset]) -> tuple[Preset, bool] | Non
     return (found[0], bool(exact)) if len(found) == 1 else None
 
 
-def resolve(wish: Wish, state: StationState) -> Aim:
+def resolve(wish: Wish, state: StationState) -> GotoAim:
     """Return where a wish leads: relative parts count from the last commanded target, else from the position.
 
     ValueError while neither is known, or where the azimuth would go more than half a turn.
@@ -80,10 +80,10 @@ def resolve(wish: Wish, state: StationState) -> Aim:
     az_deg, el_deg = _whole(wish.az, az_from), _whole(wish.el, el_from)
     if az_deg is None or el_deg is None:
         raise ValueError("The dish position is unknown. Type both angles: 180 45.")
-    return Aim(wrap_360(az_deg), el_deg)
+    return GotoAim(wrap_360(az_deg), el_deg)
 
 
-def _whole(part: Part | None, start_deg: float | None) -> float | None:
+def _whole(part: AxisWish | None, start_deg: float | None) -> float | None:
     if part is not None and not part.relative:
         return part.deg
     return None if start_deg is None else start_deg + (part.deg if part is not None else 0.0)

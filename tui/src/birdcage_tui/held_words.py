@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from birdcage.station.pursuit import Phase, Pursuit
-from birdcage.station.state import Activity, HeldState, Search, StopReport
+from birdcage.station.pursuit_state import Phase, Pursuit
+from birdcage.station.state import Activity, HeldState, StopReport, TvSearch
 from birdcage.station.stop_words import awaited_words
 
-from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import direction_words, resume_words
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import plain_name
 from birdcage_tui.view import YOU, View
 
@@ -43,7 +43,7 @@ def held_words(view: View) -> str:
 def after_release(view: View) -> str:
     """Return who moves the dish first once it is released, and where to; that nothing does, only where that is sure."""
     state, held = view.state, view.state.held
-    if state.search is Search.RUNNING:
+    if state.search is TvSearch.RUNNING:
         return "the TV search moves it on"
     if state.activity is Activity.INITIALIZING:
         return "it starts up, and moves by itself"

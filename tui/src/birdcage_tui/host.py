@@ -15,7 +15,7 @@ from birdcage_tui.track_feed import TrackFeed
 from birdcage_tui.view import View
 
 
-class Host(Protocol):
+class AppHost(Protocol):
     """The app, seen from inside."""
 
     presets: PresetBook

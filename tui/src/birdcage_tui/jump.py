@@ -23,7 +23,7 @@ HINT = " Type a label to go there. ; closes. "
 
 
 @dataclass(frozen=True, slots=True)
-class Target:
+class JumpTarget:
     """One thing to jump to: a widget that takes the focus, or a command that is written on one."""
 
     label: str
@@ -54,7 +54,7 @@ def _corner(widget: Widget) -> Offset:
     return framed.region.offset
 
 
-def targets(screen: Screen[object]) -> tuple[Target, ...]:
+def targets(screen: Screen[object]) -> tuple[JumpTarget, ...]:
     """Return everything on the screen that a person could go to, from the top left."""
     found: list[tuple[Region, Widget, str | None]] = []
     for widget in screen.query("*"):
@@ -68,7 +68,7 @@ def targets(screen: Screen[object]) -> tuple[Target, ...]:
             found += [(spot.translate(inside.offset), widget, command) for spot, command in widget.hot]
     found.sort(key=lambda each: (each[0].y, each[0].x))
     return tuple(
-        Target(label, region, widget, command)
+        JumpTarget(label, region, widget, command)
         for label, (region, widget, command) in zip(labels(len(found)), found, strict=False)
     )
 
@@ -84,10 +84,10 @@ def labels(count: int) -> list[str]:
     return [*LETTERS[:single], *pairs][:count]
 
 
-class JumpScreen(Dialog[Target | None]):
+class JumpScreen(Dialog[JumpTarget | None]):
     """The page shines through; a label goes there, any other key closes."""
 
-    def __init__(self, places: tuple[Target, ...]) -> None:
+    def __init__(self, places: tuple[JumpTarget, ...]) -> None:
         super().__init__()
         self._places = {place.label: place for place in places}
         self._typed = ""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 
-from birdcage.station.state import Link, LinkState
+from birdcage.station.state import LinkPhase, LinkState
 
 from birdcage_tui.view import Trip
 
@@ -28,7 +28,7 @@ class LinkBook:
 
     def hear(self, link: LinkState) -> None:
         """Take in how long the last answer took, once for each."""
-        if link.state is not Link.UP or link.last_reply is None or link.round_trip_s is None:
+        if link.state is not LinkPhase.UP or link.last_reply is None or link.round_trip_s is None:
             return
         if link.since != self._since:
             self._trips.clear()

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from birdcage.station.pursuit import Phase
-from birdcage.station.state import Activity, Link
+from birdcage.station.pursuit_state import Phase
+from birdcage.station.state import Activity, LinkPhase
 
 from birdcage_tui.commands.resume import KEY
 from birdcage_tui.stop_words import power_switch, searching, stop_text
-from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import resume_words
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import PHASE, plain_name
 from birdcage_tui.unready import worst
 from birdcage_tui.view import View
@@ -29,7 +29,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         return [
             ("text", "birdcage sends no motion until you acknowledge the fault: Enter."),
         ]
-    if link in (Link.CLOSED, Link.OPENING):
+    if link in (LinkPhase.CLOSED, LinkPhase.OPENING):
         return [
             ("text", f"Opening {state.port.split('?')[0] or 'the port'} and listening for the dish."),
             ("dim", "birdcage sends no motion. The position shows once the dish reports it."),
@@ -39,13 +39,13 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     lack = (
         [] if finding is None else [(finding.ink, finding.plain if in_pocket and not finding.brief else finding.words)]
     )
-    if link is Link.LOST and not state.port:
+    if link is LinkPhase.LOST and not state.port:
         return [("warn-strong", "No port set."), ("text", state.link.detail), *lack]
-    if link in (Link.LOST, Link.SILENT):
+    if link in (LinkPhase.LOST, LinkPhase.SILENT):
         check = f"Check the cable, then the dish's {power_switch(view).removesuffix(' switch')}."
         return [
             *_unconfirmed_stop(view),
-            ("text", check if link is Link.LOST else f"{check} birdcage asks again by itself."),
+            ("text", check if link is LinkPhase.LOST else f"{check} birdcage asks again by itself."),
             ("dim", _until_then(view)),
         ]
     doing = _doing(view)

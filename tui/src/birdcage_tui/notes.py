@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from datetime import datetime
 
-from birdcage_tui.view import Told
+from birdcage_tui.view import CommandNote
 
 KEPT = 64
 
@@ -16,10 +16,10 @@ class Notes:
     def __init__(self) -> None:
         self.last = ""
         """What is shown now; empty when that was cleared."""
-        self._told: deque[Told] = deque(maxlen=KEPT)
+        self._told: deque[CommandNote] = deque(maxlen=KEPT)
 
     @property
-    def told(self) -> tuple[Told, ...]:
+    def told(self) -> tuple[CommandNote, ...]:
         """All that is kept."""
         return tuple(self._told)
 
@@ -29,4 +29,4 @@ class Notes:
         if self._told and self._told[-1].words == words:
             self._told.pop()
         if words:
-            self._told.append(Told(utc, words))
+            self._told.append(CommandNote(utc, words))

@@ -15,7 +15,7 @@ from textual.widgets import Input
 
 from birdcage_tui.commands import COMMANDS, PAGES, Command, in_force
 from birdcage_tui.dialogs import Dialog
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.status import TopRow
 from birdcage_tui.view import View
 
@@ -48,7 +48,7 @@ class Palette(CommandPalette, Dialog[None]):
     def on_mount(self) -> None:
         """Name the frame; fill row 1, and let the footer know that one types, once the field has the focus."""
         self.query_one(Vertical).border_title = "All commands"
-        self.call_after_refresh(cast(Host, self.app).paint)
+        self.call_after_refresh(cast(AppHost, self.app).paint)
 
     def show(self, view: View) -> None:
         """Say what Backspace does with what is typed, while Esc stops the dish."""
@@ -110,11 +110,11 @@ class CommandProvider(Provider):
         """Do it, once for each palette: Textual would do it for a second Enter or click as well."""
         if not self._chosen:
             self._chosen = True
-            cast(Host, self.app).action_command(command.name)
+            cast(AppHost, self.app).action_command(command.name)
 
     def _commands(self) -> Iterator[tuple[Command, bool, str | None]]:
         """Yield each command, whether it holds here, and why it cannot be done now: first what can, and holds here."""
-        view = cast(Host, self.app).view()
+        view = cast(AppHost, self.app).view()
         here = in_force(view.scopes)
         found = [(command, command in here, command.refused(view)) for command in (*here, *COMMANDS)]
         known = {entry[0].name: entry for entry in reversed(found)}

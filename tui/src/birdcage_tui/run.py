@@ -22,7 +22,7 @@ from birdcage.setup.first_run import is_first_run
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.session import Session
-from birdcage.station.turn_memory import Left, leave
+from birdcage.station.turn_memory import DishAsLeft, leave
 
 from birdcage_tui.app import BirdcageApp
 from birdcage_tui.calibrate.source import make_calibrate
@@ -30,7 +30,7 @@ from birdcage_tui.clock_watch import make_check
 from birdcage_tui.control.horizon_file import ConfigHorizon
 from birdcage_tui.glyphs import fitting
 from birdcage_tui.ready_watch import KeptChecks
-from birdcage_tui.settings import AppSettings, Place
+from birdcage_tui.settings import AppOptions, SitePlace
 from birdcage_tui.signal_source import SessionSignals
 from birdcage_tui.sky_feed import make_sky
 from birdcage_tui.terminal_cells import ASPECT
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
-DEMO_PLACE = Place(39.1, -95.7, "EM29, demo")
+DEMO_PLACE = SitePlace(39.1, -95.7, "EM29, demo")
 DEMO_CABLE_DEG, DEMO_EL_DEG = -211.0, 38.0
 """Where the demo's dish stands at first: a second of turning away from the pass that is under way then, which
 is the same at any time of day (`birdcage.sky.demo_plan`), and far enough for its signal to rise."""
@@ -74,7 +74,7 @@ def name_demo(_port: str) -> str:
 def remember_demo(paths: Paths, firmware: str) -> None:
     """Let the demo begin as at the dish of somebody who has used it before: with a cable that was counted."""
     if firmware == DEMO_FIRMWARE:
-        left = Left(DEMO_CABLE_DEG, DEMO_CABLE_DEG % 360.0, DEMO_EL_DEG)
+        left = DishAsLeft(DEMO_CABLE_DEG, DEMO_CABLE_DEG % 360.0, DEMO_EL_DEG)
         leave(paths.state, name_demo(""), firmware, left)
 
 
@@ -118,12 +118,12 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             return _complain(wrong)
         app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
         if not options.demo:
-            from birdcage.station.doorbell import Doorbell
+            from birdcage.station.control_client import owners_folder
+            from birdcage.station.control_server import ControlServer
             from birdcage.station.inhibitor import SleepInhibitor
-            from birdcage.station.ring import owners_folder
 
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
-            stack.callback(Doorbell(session.station, owners_folder(paths)).close)
+            stack.callback(ControlServer(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
         app.take_signal = signals.take
         signals.tell(app.end_by_signal, lambda: _end_stuck(app))
@@ -184,7 +184,7 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
     return paths
 
 
-def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppSettings]:
+def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptions]:
     clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
     demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
     # Of its own, as there may be more than one demo in a process, each with a clock of its own.
@@ -288,14 +288,14 @@ def _known(named: str) -> str:
     return named
 
 
-def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppSettings:
+def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppOptions:
     place = settings.place
     here = None
     if place.latitude_deg is not None and place.longitude_deg is not None:
-        here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
+        here = SitePlace(place.latitude_deg, place.longitude_deg, place.name or "")
     notice = settings.problems[0].text if settings.problems else ""
     chosen = "app.glyphs" in settings.sources
-    return AppSettings(
+    return AppOptions(
         theme=settings.app.theme,
         keep_theme=lambda name: edit(paths.config_file, {"app.theme": name}),
         place=here,

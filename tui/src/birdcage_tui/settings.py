@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class SitePlace:
     """Where the dish stands, in degrees; east and north are positive."""
 
     latitude_deg: float
@@ -45,13 +45,13 @@ class HorizonFile(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class AppSettings:
+class AppOptions:
     """The app's own settings, from flags and `birdcage.toml`."""
 
     theme: str = "dusk"
     keep_theme: Callable[[str], None] | None = field(default=None, compare=False)
     """Keeps the theme that a person has picked for the next start; ConfigError says why not. None: nowhere."""
-    place: Place | None = None
+    place: SitePlace | None = None
     """None while the user has not told it: then no geostationary arc is drawn."""
     tour: bool = False
     """Whether the dish follows passes by itself from the start. Only with a simulated dish."""

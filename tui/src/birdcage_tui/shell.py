@@ -41,7 +41,7 @@ from birdcage_tui.palette import CommandProvider
 from birdcage_tui.ready_watch import ReadyWatch
 from birdcage_tui.scope import Scope, scopes_of
 from birdcage_tui.screen_size import size_classes
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.signal_feed import SignalFeed
 from birdcage_tui.sky_feed import SkyFeed
 from birdcage_tui.start_objects import StartObjects
@@ -49,7 +49,7 @@ from birdcage_tui.status import BadDayRow, TopRow
 from birdcage_tui.stopping import focused_widget, is_stop_key, stop_first
 from birdcage_tui.surface import Surface
 from birdcage_tui.tour import Tour
-from birdcage_tui.track.pursuing import says_nothing_new
+from birdcage_tui.track.shown_pursuit import says_nothing_new
 from birdcage_tui.track_feed import TrackFeed
 from birdcage_tui.view import YOU, View
 from birdcage_tui.words import ended_text
@@ -78,8 +78,8 @@ class Shell(Surface):
     ]
     """One for each key of the table: what it does depends on what has the focus."""
 
-    def __init__(self, session: Session, settings: AppSettings | None = None) -> None:
-        super().__init__(settings or AppSettings())
+    def __init__(self, session: Session, settings: AppOptions | None = None) -> None:
+        super().__init__(settings or AppOptions())
         self.session = session
         self.station = session.station
         self.under_way: set[Future[object]] = set()

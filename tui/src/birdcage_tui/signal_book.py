@@ -7,9 +7,9 @@ from collections.abc import Sequence
 
 from birdcage.signal.source import SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER, TUNER_FACTS
-from birdcage.station.state import MOVING, Link, StationState
+from birdcage.station.state import MOVING, LinkPhase, StationState
 
-from birdcage_tui.view import STALE_S, Sample
+from birdcage_tui.view import STALE_S, SignalSample
 
 KEPT = 2000
 MOVED_S = 0.3
@@ -23,21 +23,21 @@ class SignalBook:
         self.chosen = TUNER_FACTS
         """Of the source that the feed names."""
         self._facts: dict[str, SignalFacts] = {}
-        self._samples: dict[str, deque[Sample]] = {}
+        self._samples: dict[str, deque[SignalSample]] = {}
 
     def choose(self, facts: SignalFacts) -> None:
         """Show the source of another feed, and nothing of what was heard through the one before."""
         self.chosen = facts
         self._samples.clear()
 
-    def of(self, facts: SignalFacts) -> deque[Sample]:
+    def of(self, facts: SignalFacts) -> deque[SignalSample]:
         """Return what a source has told, the newest last."""
         self._facts[facts.id] = facts
         return self._samples.setdefault(facts.id, deque(maxlen=KEPT))
 
     def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
         """Take what a source has told, and where the dish pointed then, if that is known."""
-        self.of(facts).append(Sample(reading.at, reading.value, *_where(reading.at, facts, state)))
+        self.of(facts).append(SignalSample(reading.at, reading.value, *_where(reading.at, facts, state)))
 
     @property
     def heard(self) -> SignalFacts:
@@ -51,7 +51,7 @@ class SignalBook:
         return self.chosen if name is None else self._facts[name]
 
     @property
-    def samples(self) -> Sequence[Sample]:
+    def samples(self) -> Sequence[SignalSample]:
         """What that one told, the newest last."""
         return tuple(self.of(self.heard))
 
@@ -65,5 +65,5 @@ def _where(at: float, facts: SignalFacts, state: StationState) -> tuple[float | 
     if position is None or position.modelled:
         return None, None
     holds_s = MOVED_S if state.activity in MOVING else STALE_S
-    known = state.link.state is Link.UP and state.position_lost is None and abs(at - position.told_at) <= holds_s
+    known = state.link.state is LinkPhase.UP and state.position_lost is None and abs(at - position.told_at) <= holds_s
     return (position.az_deg, position.el_deg) if facts.of_dish or known else (None, None)

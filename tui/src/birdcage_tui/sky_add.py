@@ -12,7 +12,7 @@ _BEGINS_TEXT = ("{", "[", "<", "1 ", "2 ", "0 ")
 
 
 @dataclass(frozen=True, slots=True)
-class Added:
+class AddOutcome:
     """What came of it."""
 
     words: str
@@ -21,7 +21,7 @@ class Added:
     """Whether all of the text was read; else a person may mend it."""
 
 
-def add_elements(catalogue: Path, typed: str) -> Added:
+def add_elements(catalogue: Path, typed: str) -> AddOutcome:
     """Add what was typed: a path (with ~), or elements as text. BirdcageError where the catalogue can't be written."""
     from birdcage.sky.catalogue import Catalogue
     from birdcage.sky.formats import read_path, read_text
@@ -35,11 +35,11 @@ def add_elements(catalogue: Path, typed: str) -> Added:
     if len(found.complaints) > MOST_TOLD:
         wrong += f" {len(found.complaints) - MOST_TOLD} more."
     if not found.elements and not found.groups:
-        return Added(f"No elements added. {wrong}".rstrip(), whole=False)
+        return AddOutcome(f"No elements added. {wrong}".rstrip(), whole=False)
     with Catalogue(catalogue) as opened:
         added = opened.add(found.elements)
         for each in found.groups:
             opened.add_to_group(each.name, each.norad_ids)
     names = f" {found.elements[0].name}." if len(found.elements) == 1 else ""
     words = f"Elements: {added.new} new, {added.newer} newer, {added.kept} unchanged.{names}"
-    return Added(f"{words} Not read: {wrong}" if wrong else words, whole=not wrong)
+    return AddOutcome(f"{words} Not read: {wrong}" if wrong else words, whole=not wrong)

@@ -18,13 +18,13 @@ from birdcage.sky.observer import Observer
 from birdcage.sky.sun import sun
 from birdcage.sky.watch_model import SkyNow, UpNow
 
-from birdcage_tui.passes.model import Age, Frequency, InReach, Lost, Path, Row, SkyPicture, Up, Way
+from birdcage_tui.passes.model import Age, DopplerFrequency, InReach, Lost, Path, Row, ShownPath, SkyPicture, Up
 
 if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.pass_row import PassRow
     from birdcage.sky.reach_limits import Horizon
-    from birdcage.sky.reach_model import Reach
+    from birdcage.sky.reach_model import PassReach
 
 SAMPLES = 72
 """Of a path: closer than a dot of the largest picture, and half of them about the top, where azimuth sweeps."""
@@ -50,7 +50,7 @@ class Converter:
         self.feed, self.hear_first = "", False
         self.hears: Callable[[int, str], str] | None = None
         """What the feed hears of a satellite, by number and name."""
-        self.tuned: Callable[[int, str], Frequency | None] | None = None
+        self.tuned: Callable[[int, str], DopplerFrequency | None] | None = None
         """At which frequency Doppler of a satellite is told, by number and name."""
         self.also: Callable[[int, str], tuple[str, ...]] | None = None
         """What else a satellite is called, by number and name."""
@@ -94,7 +94,7 @@ class Converter:
     def _favourite(self, number: int, name: str, known: bool) -> bool:
         return self.favourites.get(number or name, known)
 
-    def _tuned(self, found: PassRow) -> Callable[[], Frequency | None]:
+    def _tuned(self, found: PassRow) -> Callable[[], DopplerFrequency | None]:
         number, name = found.passing.norad_id, found.passing.name
         return lambda: None if self.tuned is None else self.tuned(number, name)
 
@@ -177,7 +177,7 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
         passing.los_azimuth_deg,
         passing.max_elevation_deg,
         _reach(found.reach),
-        Way(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, later_s)),
+        ShownPath(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, later_s)),
         favourite,
         groups,
         _age(found),
@@ -190,7 +190,7 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
     )
 
 
-def _reach(reach: Reach) -> InReach:
+def _reach(reach: PassReach) -> InReach:
     return InReach(
         tuple((one.start.timestamp(), one.end.timestamp()) for one in reach.intervals),
         tuple(Lost(one.start.timestamp(), one.end.timestamp(), one.reason) for one in reach.lost),

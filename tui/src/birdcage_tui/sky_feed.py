@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from birdcage.station.state import StationState
 
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 
 if TYPE_CHECKING:
     from birdcage.base.clock import Clock
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from birdcage_tui.passes.model import Row, SkyPicture
     from birdcage_tui.passes.world_map_ask import Ask
-    from birdcage_tui.sky_add import Added
+    from birdcage_tui.sky_add import AddOutcome
 
 Show = Callable[["SkyPicture"], object]
 """Takes a picture of the sky, on whichever thread made it."""
@@ -30,7 +30,7 @@ Say = Callable[[str], object]
 ShowWorld = Callable[["WorldView"], object]
 """Takes the world at one moment, on whichever thread made it."""
 
-TellAdded = Callable[["Added"], object]
+TellAdded = Callable[["AddOutcome"], object]
 """Takes what came of elements that were added, on whichever thread did it."""
 
 
@@ -40,7 +40,7 @@ class SkySource(Protocol):
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
-    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+    def keep(self, state: StationState, place: SitePlace | None, horizon: HorizonMask | None = None) -> None:
         """Take what is known of the dish, whose limits reach follows from, and where it stands.
 
         `horizon`: what hides the sky there now; None: what the settings said.
@@ -88,7 +88,7 @@ class SkyFeed:
         self._closed = False
         self.now: SkyPicture | None = None
 
-    def begin(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+    def begin(self, state: StationState, place: SitePlace | None, horizon: HorizonMask | None = None) -> None:
         """Begin to watch; after the first frame."""
         if self._make is None or self._closed:
             return
@@ -96,7 +96,7 @@ class SkyFeed:
         self.source.keep(state, place, horizon)
         self.source.start()
 
-    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+    def keep(self, state: StationState, place: SitePlace | None, horizon: HorizonMask | None = None) -> None:
         """Take what has become of the dish, its place and the horizon there."""
         if self.source is not None:
             self.source.keep(state, place, horizon)

@@ -10,10 +10,10 @@ from pathlib import Path
 from birdcage.base.config import FeedProfile
 from birdcage.sky.downlinks import Downlink, load_downlinks
 from birdcage.sky.downlinks_age import is_doubtful
-from birdcage.sky.downlinks_hearing import Hearing, first_heard, has_band, hearable
+from birdcage.sky.downlinks_hearing import FeedHearing, first_heard, has_band, hearable
 from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 
-from birdcage_tui.passes.model import Frequency
+from birdcage_tui.passes.model import DopplerFrequency
 
 MOST = 3
 """Downlinks that are told of one satellite."""
@@ -43,12 +43,12 @@ def naming_of(user_file: Path) -> Callable[[int, str], tuple[str, ...]]:
     return cache(Resolver(None, load_downlinks(user_file)).other_names)
 
 
-def _brief(heard: Hearing, now: datetime) -> str:
+def _brief(heard: FeedHearing, now: datetime) -> str:
     doubt = " ?" if is_doubtful(heard.downlink, now) else ""
     return f"{heard.center_hz / 1e6:g} MHz {heard.downlink.mode}{doubt}"
 
 
-def tuning_of(feed: FeedProfile, user_file: Path, now: datetime) -> Callable[[int, str], Frequency | None]:
+def tuning_of(feed: FeedProfile, user_file: Path, now: datetime) -> Callable[[int, str], DopplerFrequency | None]:
     """Return what tells the frequency for Doppler: what the feed hears of a satellite, else what it sends at all.
 
     Else the middle of the feed's band; None for a feed without one.
@@ -57,22 +57,22 @@ def tuning_of(feed: FeedProfile, user_file: Path, now: datetime) -> Callable[[in
     heard = first_heard(table, feed)
 
     @cache
-    def tuned(norad_id: int, name: str) -> Frequency | None:
+    def tuned(norad_id: int, name: str) -> DopplerFrequency | None:
         first = heard(norad_id, name)
         if first is not None:
             sent = first.downlink
-            return Frequency(first.center_hz, f"its {sent.mode}", signal_lines(sent, now))
+            return DopplerFrequency(first.center_hz, f"its {sent.mode}", signal_lines(sent, now))
         for one in table.of(norad_id, name):
             if one.alive is not False:
-                return Frequency(one.center_hz, f"its {one.mode}", signal_lines(one, now))
+                return DopplerFrequency(one.center_hz, f"its {one.mode}", signal_lines(one, now))
         if feed.freq_min_hz is None or feed.freq_max_hz is None:
             return None
-        return Frequency((feed.freq_min_hz + feed.freq_max_hz) / 2.0, "middle of feed")
+        return DopplerFrequency((feed.freq_min_hz + feed.freq_max_hz) / 2.0, "middle of feed")
 
     return tuned
 
 
-def heard_by(feed: FeedProfile, user_file: Path) -> Callable[[int, str], Hearing | None]:
+def heard_by(feed: FeedProfile, user_file: Path) -> Callable[[int, str], FeedHearing | None]:
     """Return what tells which downlink of a satellite a feed listens to."""
     return first_heard(load_downlinks(user_file), feed)
 

@@ -24,8 +24,8 @@ from birdcage.station.reach_limits import reach_limits_of
 
 from birdcage_tui.demo_radio import lay_beacons
 from birdcage_tui.demo_sky import lay_demo_sky
-from birdcage_tui.passes.model import Frequency, Row
-from birdcage_tui.settings import Place
+from birdcage_tui.passes.model import DopplerFrequency, Row
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.sky_convert import Converter
 from birdcage_tui.sky_hearing import heard_by, hearing_of, naming_of, tuning_of
 
@@ -60,7 +60,7 @@ class SkySetup:
     """Whether the user has said which one that is."""
     hearing: Callable[[], Callable[[int, str], str] | None] | None = None
     """Reads what the feed hears; takes some milliseconds."""
-    tuning: Callable[[], Callable[[int, str], Frequency | None]] | None = None
+    tuning: Callable[[], Callable[[int, str], DopplerFrequency | None]] | None = None
     """Reads at which frequency Doppler is told; takes some milliseconds."""
     naming: Callable[[], Callable[[int, str], tuple[str, ...]]] | None = None
     """Reads what else satellites are called; takes some milliseconds."""
@@ -101,7 +101,7 @@ class WatchedSky:
             threading.Thread(target=self._work, name="sky-desk", daemon=True).start()
             threading.Thread(target=self._follow_moon, name="moon", daemon=True).start()
 
-    def keep(self, state: StationState, place: Place | None, horizon: HorizonMask | None = None) -> None:
+    def keep(self, state: StationState, place: SitePlace | None, horizon: HorizonMask | None = None) -> None:
         """Take what is known of the dish, where it stands, and the horizon there (None: the settings')."""
         limits = self._setup.limits(state)
         if horizon is not None:
@@ -234,12 +234,12 @@ class WatchedSky:
         self._watch.refresh()
 
     def _add_elements(self, typed: str, tell: TellAdded) -> None:
-        from birdcage_tui.sky_add import Added, add_elements
+        from birdcage_tui.sky_add import AddOutcome, add_elements
 
         try:
             added = add_elements(self._setup.catalogue, typed)
         except BirdcageError as problem:
-            added = Added(str(problem), whole=False)
+            added = AddOutcome(str(problem), whole=False)
         self._watch.refresh()
         tell(added)
 

@@ -12,7 +12,7 @@ from birdcage_tui.cell_text import cell_len, cut, pad, wrap
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.skew import has_skew, skew_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import STATUS, countdown_s, live_words
 from birdcage_tui.view import View
 from birdcage_tui.words import ACTIVITY, LATE, LINK, age_text, bad_day, calm

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from birdcage.station import stop_words
 from birdcage.station.known import SearchSwitch
-from birdcage.station.state import Search
+from birdcage.station.state import TvSearch
 from birdcage.station.stop_words import SHORT, fitting
 
 from birdcage_tui.view import View
@@ -22,7 +22,7 @@ def searching(view: View) -> bool:
     """Return whether a TV search runs that can be ended at once."""
     dish = view.state.dish
     at_once = dish is not None and dish.search_switch is SearchSwitch.UNTIL_POWER_UP
-    return at_once and view.link_up and view.state.search is Search.RUNNING
+    return at_once and view.link_up and view.state.search is TvSearch.RUNNING
 
 
 def stop_text(view: View, room: int = SHORT) -> str:

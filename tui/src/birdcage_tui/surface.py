@@ -18,11 +18,11 @@ from textual.widget import Widget
 
 from birdcage_tui import attributes
 from birdcage_tui.glyphs import GlyphFilter
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.terminal_cells import aspect_of
-from birdcage_tui.themes import DEFAULT, LOOKS, Look
+from birdcage_tui.themes import DEFAULT, LOOKS, ThemeColours
 
 
 class Ground(Screen[None]):
@@ -32,13 +32,13 @@ class Ground(Screen[None]):
 
     def on_screen_resume(self) -> None:
         """Draw a frame when a dialog has gone: while one types there, Space is no STOP, and the footer said so."""
-        cast(Host, self.app).paint()
+        cast(AppHost, self.app).paint()
 
 
 class Surface(App[None]):
     """The base of the shell: what is drawn is the shell's, when and in which signs and colours is settled here."""
 
-    def __init__(self, settings: AppSettings) -> None:
+    def __init__(self, settings: AppOptions) -> None:
         super().__init__()
         self.settings = settings
         self._frame_s = 1.0 / settings.update_hz
@@ -54,7 +54,7 @@ class Surface(App[None]):
         # The ground of a text field cannot be told from that of the page there.
         self.set_class(self._colourless or self.console.color_system in (None, "standard"), "-few-colours")
 
-    def _look(self) -> Look:
+    def _look(self) -> ThemeColours:
         return LOOKS.get(self.theme, LOOKS[DEFAULT])
 
     def get_driver_class(self) -> type[Driver]:

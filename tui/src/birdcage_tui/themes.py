@@ -22,7 +22,7 @@ def contrast(one: str, other: str) -> float:
 
 
 @dataclass(frozen=True)
-class Look:
+class ThemeColours:
     """The colours of one theme, as `#rrggbb`. A state always has a glyph and a word besides its colour."""
 
     name: str
@@ -99,7 +99,7 @@ class Look:
 LOOKS = {
     look.name: look
     for look in (
-        Look(
+        ThemeColours(
             name="dusk",
             ground="#0b0e12",
             raised="#171d25",
@@ -114,7 +114,7 @@ LOOKS = {
             warn="#ff9438",
             fault="#ff6b7d",
         ),
-        Look(
+        ThemeColours(
             name="daylight",
             ground="#ffffff",
             raised="#e9edf1",
@@ -130,7 +130,7 @@ LOOKS = {
             fault="#c2004a",
             dark=False,
         ),
-        Look(
+        ThemeColours(
             name="night",
             ground="#000000",
             raised="#1c0000",

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from birdcage.pursuit.now import NO_PLACE
 from birdcage.station.events import Event, Followed, PursuitChanged
-from birdcage.station.pursuit import Phase, Sample
+from birdcage.station.pursuit_state import Phase, PointingSample
 
 from birdcage_tui.unready import NO_LOCATION
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
     from birdcage.sky.horizon import HorizonMask
 
-    from birdcage_tui.settings import Place
+    from birdcage_tui.settings import SitePlace
     from birdcage_tui.track.offer import Offer
 
 KEPT_LOOKS = 3600
@@ -36,7 +36,7 @@ class TrackSource(Protocol):
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+    def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
         """Take where the dish stands, the horizon there as it is now (None: what the settings said), and its feed."""
 
     def search(self, text: str) -> None:
@@ -108,14 +108,14 @@ class TrackFeed:
         self._make, self._soon, self._changed, self._bell = make, soon, changed, bell
         self.source: TrackSource | None = None
         self.now: DeskNow | None = None
-        self.looks: deque[Sample] = deque(maxlen=KEPT_LOOKS)
+        self.looks: deque[PointingSample] = deque(maxlen=KEPT_LOOKS)
         self.offer: Offer | None = None
         """The pass that was picked on F7 last."""
         self._number: int | None = None
         self._phase: Phase | None = None
         self._closed = False
 
-    def begin(self, place: Place | None = None, horizon: HorizonMask | None = None) -> None:
+    def begin(self, place: SitePlace | None = None, horizon: HorizonMask | None = None) -> None:
         """Open the desk for where the dish stands; after the first frame."""
         if self._make is not None and not self._closed:
             self.source = self._make(lambda now: self._soon(lambda: self._take(now)))
@@ -126,7 +126,7 @@ class TrackFeed:
         self.now = _with_our_keys(now)
         self._changed()
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None, feed: str) -> None:
+    def keep(self, place: SitePlace | None, horizon: HorizonMask | None, feed: str) -> None:
         """Take where the dish stands, the horizon there, and the name of its feed."""
         if self.source is not None:
             self.source.keep(place, horizon, feed)

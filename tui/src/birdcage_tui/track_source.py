@@ -8,7 +8,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage_tui.demo_sky import lay_demo_sky
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -50,7 +50,7 @@ def make_track(session: Session, settings: Settings, load: Callable[[], Settings
     return make
 
 
-def observer_of(settings: Settings, place: Place | None = None) -> Observer | None:
+def observer_of(settings: Settings, place: SitePlace | None = None) -> Observer | None:
     """Return where the dish stands; `place` counts over the settings, whose height it takes over."""
     from birdcage.sky.observer import Observer
 
@@ -70,7 +70,7 @@ class DeskSource:
         self._lock = threading.Lock()
         self._waiting: list[Order] = []
         self._closed = False
-        self._place: Place | None = None
+        self._place: SitePlace | None = None
         self._horizon: HorizonMask | None = None
         self._feed = ""
         self.desk: PursuitDesk | None = None
@@ -108,7 +108,7 @@ class DeskSource:
                 if self.desk.step() > 0:
                     break
 
-    def keep(self, place: Place | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+    def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
         """Take where the dish stands, the horizon there (None: the settings'), and the name of its feed."""
         before, self._place = self._place, place
         mask, self._horizon = self._horizon, horizon

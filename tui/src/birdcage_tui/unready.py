@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from birdcage.station.state import Link, Search
+from birdcage.station.state import LinkPhase, TvSearch
 
 from birdcage_tui.ready_watch import STEPS
 from birdcage_tui.stop_words import searching
@@ -64,9 +64,9 @@ def _lacks(check: Check, view: View) -> bool:
         case "dish":
             return not (view.link_up and state.dish is not None)
         case "port":
-            return state.link.state is Link.LOST and not state.port
+            return state.link.state is LinkPhase.LOST and not state.port
         case "search":
-            off = state.search in (Search.OFF, Search.OFF_UNTIL_POWER_UP, Search.NONE)
+            off = state.search in (TvSearch.OFF, TvSearch.OFF_UNTIL_POWER_UP, TvSearch.NONE)
             return not (view.link_up and off) and not searching(view)
         case "config":
             return False  # row 2 says it

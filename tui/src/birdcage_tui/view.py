@@ -11,18 +11,18 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
 from birdcage.signal.source import MONITOR, SignalFacts
 from birdcage.signal.tuner import TUNER_FACTS
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import CONSOLE
-from birdcage.station.state import MOVING, Activity, Link, Motion, StationState
+from birdcage.station.state import MOVING, Activity, LinkPhase, Motion, StationState
 
 from birdcage_tui.clock_told import ClockTold
 from birdcage_tui.control.horizon_state import HorizonState
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
     from birdcage.ready.check import Check
-    from birdcage.station.pursuit import Sample as Look
+    from birdcage.station.pursuit_state import PointingSample
 
     from birdcage_tui.calibrate.feed import CalibrateNow
     from birdcage_tui.passes.model import SkyPicture
@@ -38,7 +38,7 @@ LATE_S = 1.5
 
 
 @dataclass(frozen=True, slots=True)
-class Sample:
+class SignalSample:
     """One reading of the signal, at a monotonic time in seconds."""
 
     at: float
@@ -57,7 +57,7 @@ class Trip:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class CommandNote:
     """What a command did, in one sentence, and when."""
 
     utc: datetime
@@ -72,8 +72,8 @@ class View:
     now: float
     """Monotonic seconds."""
     utc: datetime
-    settings: AppSettings
-    signal: Sequence[Sample] = ()
+    settings: AppOptions
+    signal: Sequence[SignalSample] = ()
     """What was heard, by one source."""
     tour: str = ""
     """What the demo says of itself; empty when it does nothing by itself."""
@@ -95,7 +95,7 @@ class View:
     """Directions with names."""
     aim: tuple[float, float] | None = None
     """Where the go-to line would lead, while one types into it; true degrees."""
-    told: Sequence[Told] = ()
+    told: Sequence[CommandNote] = ()
     """What the last commands did, the newest last: `note`, unless that was cleared since."""
     sky: SkyPicture | None = None
     """What is up, and which passes come; None before it was first worked out."""
@@ -105,7 +105,7 @@ class View:
     """How good this machine's clock is; None before it was checked."""
     track: DeskNow | None = None
     """What the pursuit desk shows; None before it has told anything."""
-    followed: Sequence[Look] = ()
+    followed: Sequence[PointingSample] = ()
     """How well the dish has pointed in the pursuit under way, a look a second."""
     heard: SignalFacts = TUNER_FACTS
     """What tells `signal`, and what its values mean."""
@@ -181,12 +181,12 @@ class View:
     @property
     def link_up(self) -> bool:
         """Whether the dish answers."""
-        return self.state.link.state is Link.UP
+        return self.state.link.state is LinkPhase.UP
 
     @property
     def waiting(self) -> bool:
         """Whether it is too early to expect an answer: the port is not open yet."""
-        return self.state.link.state in (Link.CLOSED, Link.OPENING)
+        return self.state.link.state in (LinkPhase.CLOSED, LinkPhase.OPENING)
 
     @property
     def moving(self) -> bool:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from birdcage.base.config import feed_label
 from birdcage.station.events import End, MoveEnded
-from birdcage.station.state import Activity, Link, Pointing, Search
+from birdcage.station.state import Activity, LinkPhase, Pointing, TvSearch
 
 from birdcage_tui.held_words import enter_words, held_words
 from birdcage_tui.stop_words import power_switch, searching
-from birdcage_tui.track.pursuing import told_before_following
+from birdcage_tui.track.shown_pursuit import told_before_following
 from birdcage_tui.track.words import headline, live_words, trouble
 from birdcage_tui.unready import worst
 from birdcage_tui.view import View
@@ -25,18 +25,18 @@ ACTIVITY = {
     Activity.FOLLOWING: "FOLLOW",
 }
 SEARCH = {
-    Search.RUNNING: "TV search RUNNING",
-    Search.OFF: "TV search off",
-    Search.OFF_UNTIL_POWER_UP: "TV search off until power-up",
-    Search.NONE: "TV search none",
-    Search.UNKNOWN: "TV search unknown",
+    TvSearch.RUNNING: "TV search RUNNING",
+    TvSearch.OFF: "TV search off",
+    TvSearch.OFF_UNTIL_POWER_UP: "TV search off until power-up",
+    TvSearch.NONE: "TV search none",
+    TvSearch.UNKNOWN: "TV search unknown",
 }
 LINK = {
-    Link.CLOSED: ("○", "closed"),
-    Link.OPENING: ("◌", "opening"),
-    Link.UP: ("●", "up"),
-    Link.SILENT: ("◍", "silent"),
-    Link.LOST: ("○", "lost"),
+    LinkPhase.CLOSED: ("○", "closed"),
+    LinkPhase.OPENING: ("◌", "opening"),
+    LinkPhase.UP: ("●", "up"),
+    LinkPhase.SILENT: ("◍", "silent"),
+    LinkPhase.LOST: ("○", "lost"),
 }
 
 
@@ -154,13 +154,13 @@ def bad_day(view: View) -> tuple[str, str] | None:
         fault = state.fault
         words = f"✖ FAULT {fault.utc:%H:%M:%S}  {_stopped(fault.what)} {fault.meaning} {fault.remedy}"
         return "fault-row", f"{words}{enter_words(view, 'acknowledge')}{_tags(view, 'FAULT', 'NOT HOMED')}"
-    if link.state is Link.LOST and not state.port:
+    if link.state is LinkPhase.LOST and not state.port:
         return "warn-row", f"○ NO PORT  {link.detail}{_tags(view)}"
-    if link.state is Link.LOST:
+    if link.state is LinkPhase.LOST:
         trying = "" if state.port in link.detail else f"Trying {state.port.rsplit('/', 1)[-1]}. "
         told = f"{_last_seen(view)}{trying}{link.detail}"
         return "fault-row", f"○ LINK LOST {span_text(view.now - link.since)}  {told}{_tags(view)}"
-    if link.state is Link.SILENT:
+    if link.state is LinkPhase.SILENT:
         return "warn-row", f"◍ SILENT {span_text(view.now - link.since)}  {_last_seen(view)}{link.detail}{_tags(view)}"
     if state.held is not None:
         return "warn-row", held_words(view) + _tags(view, "HELD")
@@ -210,7 +210,7 @@ def calm(view: View, *, brief: bool = False) -> str:
     """Return the line under the status when nothing is wrong; it may be empty. `brief`: in some 40 columns."""
     if view.tour:
         return view.tour
-    if view.state.link.state is Link.OPENING:
+    if view.state.link.state is LinkPhase.OPENING:
         detail = view.state.link.detail or f"opening {view.state.port}"
         # A simulated dish has a long tail of options, which says nothing here.
         detail = detail.replace(view.state.port, view.state.port.split("?")[0])

@@ -9,7 +9,6 @@ from typing import Any
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.az_el import AzEl
-from birdcage.antenna.belief import Belief, Expected
 from birdcage.antenna.blocking import MoveCommands
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
@@ -19,9 +18,10 @@ from birdcage.antenna.maintenance import Maintenance
 from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.reading import Readings
+from birdcage.antenna.reading_filter import Expected, ReadingFilter
 from birdcage.antenna.reckoning import Reckoning
 from birdcage.antenna.rest import RestWatch
-from birdcage.antenna.sender import Sender
+from birdcage.antenna.sender import MoveSender
 from birdcage.antenna.skew import SkewGoal
 from birdcage.antenna.stop_aim import StopAim
 from birdcage.antenna.strategy.choice import strategy_for, suited
@@ -73,7 +73,7 @@ class BirdcageAntenna:
         self.rest = RestWatch()
         self.stop_consent = False
         """Whether the user lets STOP climb the rungs that need consent."""
-        self._sender = Sender(self)
+        self._sender = MoveSender(self)
         self.modelling = threading.RLock()
         """Held while `motion` is replaced: STOP, from another thread, aims by it."""
         self.stop_aim = StopAim(self)
@@ -145,7 +145,7 @@ class BirdcageAntenna:
 
     def doubt(self) -> None:
         """From now on take no reading of the position as true that neither goes on nor comes twice."""
-        belief = self._readings.belief = Belief(self.rotator.facts)
+        belief = self._readings.belief = ReadingFilter(self.rotator.facts)
         belief.foresee = self._foresee
 
     def _foresee(self, last: Position, last_at: float, now: float) -> Expected | None:

@@ -15,7 +15,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
-from birdcage.rotator.rotator import Line, Rotator
+from birdcage.rotator.rotator import LineStatus, Rotator
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, MOTOR_SKEW, Look, Position, Survey, Taken
 
 MOST_MISSED_DEG = 1.0
@@ -57,7 +57,7 @@ class AzEl:
         return self._rotator.clock
 
     @property
-    def line(self) -> Line:
+    def line(self) -> LineStatus:
         """See `Rotator`."""
         return self._rotator.line
 

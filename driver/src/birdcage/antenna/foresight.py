@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from birdcage.antenna.belief import JITTER_S, NEAR_DEG, Expected, Span
 from birdcage.antenna.motion import STOP_LATENCY_S, AxisMotion, DishMotion
+from birdcage.antenna.reading_filter import JITTER_S, NEAR_DEG, AngleSpan, Expected
 from birdcage.base.geometry import shortest_turn
 from birdcage.kinematics import Slew
 from birdcage.rotator.values import Position
@@ -40,23 +40,23 @@ def foresee(
         _spans(motion.elevation, last.elevation, begun_by, moment),
     ]
     if last.skew is not None:
-        still = (Span(last.skew, last.skew, 0.0),)
+        still = (AngleSpan(last.skew, last.skew, 0.0),)
         axes.append(still if motion.skew is None else _spans(motion.skew, last.skew, begun_by, moment))
     return Expected((motion.azimuth.started, motion.elevation.started), tuple(axes))
 
 
-def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment: _Moment) -> tuple[Span, ...]:
+def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment: _Moment) -> tuple[AngleSpan, ...]:
     slew, overshoot_deg = axis.slew, axis.axis.overshoot_deg
     if axis.streamed:
         return (_stream_span(axis, moment, overshoot_deg),)
     if not slew.segments:
-        return (Span(last_deg - _LOOSE_DEG, last_deg + _LOOSE_DEG, 0.0),)
+        return (AngleSpan(last_deg - _LOOSE_DEG, last_deg + _LOOSE_DEG, 0.0),)
     here_deg = axis.read_deg + shortest_turn(axis.read_deg, last_deg)
     start_deg = slew.segments[0].position_deg
     spans = []
     if abs(slew.end_deg - start_deg) <= overshoot_deg + NEAR_DEG:
         # So short a way it may go not at all.
-        spans.append(Span(here_deg - _LOOSE_DEG, here_deg + _LOOSE_DEG, 0.0))
+        spans.append(AngleSpan(here_deg - _LOOSE_DEG, here_deg + _LOOSE_DEG, 0.0))
     phase_s = _phase_s(slew, here_deg, overshoot_deg)
     if phase_s is not None and moment.last_at >= axis.started:
         past_s = moment.now - moment.last_at
@@ -73,7 +73,7 @@ def _spans(axis: AxisMotion, last_deg: float, begun_by: dict[int, float], moment
     return tuple(spans)
 
 
-def _stream_span(axis: AxisMotion, moment: _Moment, overshoot_deg: float) -> Span:
+def _stream_span(axis: AxisMotion, moment: _Moment, overshoot_deg: float) -> AngleSpan:
     """Return where an axis is that gets one target after the other, whether or not the dish has the latest yet."""
     slew, rate = axis.slew, moment.rate
     at_s = (moment.now - axis.started) * rate
@@ -83,16 +83,16 @@ def _stream_span(axis: AxisMotion, moment: _Moment, overshoot_deg: float) -> Spa
     if early_s < 0.0:
         angles.append(begins_deg + begins_deg_s * early_s)
     loose_deg = overshoot_deg + NEAR_DEG
-    return Span(min(angles) - loose_deg, max(angles) + loose_deg, slew.at(at_s)[1] * rate)
+    return AngleSpan(min(angles) - loose_deg, max(angles) + loose_deg, slew.at(at_s)[1] * rate)
 
 
-def _span(slew: Slew, early_s: float, late_s: float, overshoot_deg: float, rate: float) -> Span:
+def _span(slew: Slew, early_s: float, late_s: float, overshoot_deg: float, rate: float) -> AngleSpan:
     """Return where it is between two times on its way."""
     (early_deg, _), (late_deg, speed) = slew.at(early_s), slew.at(late_s)
     forward = slew.end_deg >= slew.segments[0].position_deg
     if late_s >= slew.duration_s:
         late_deg += overshoot_deg if forward else -overshoot_deg
-    return Span(min(early_deg, late_deg), max(early_deg, late_deg), speed * rate)
+    return AngleSpan(min(early_deg, late_deg), max(early_deg, late_deg), speed * rate)
 
 
 def _phase_s(slew: Slew, here_deg: float, overshoot_deg: float) -> float | None:

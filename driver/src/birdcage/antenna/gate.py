@@ -10,7 +10,7 @@ from birdcage.antenna.mapped_way import mapped_points
 from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
-from birdcage.rotator.facts import Facts, Turn
+from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.values import Position
 
 
@@ -81,7 +81,7 @@ class MotionGate:
         if self.released:
             self.forget("released")
             raise self._unknown()
-        if self.model.turn is Turn.REPORTED:
+        if self.model.turn is CableTurn.REPORTED:
             self.cable_deg, self.remembers_cable = position.azimuth, False
             position = replace(position, azimuth=wrap_360(position.azimuth))
         elif self.cable_deg is not None and self.position is not None:
@@ -91,7 +91,7 @@ class MotionGate:
 
     def count_cable(self) -> None:
         """Begin to count: the dish has just found its reference, so its cable stands at its azimuth (`Wrap: 0`)."""
-        counts = self.model.cable is not None and self.model.turn is not Turn.REPORTED
+        counts = self.model.cable is not None and self.model.turn is not CableTurn.REPORTED
         if self.position is not None and counts:
             self.cable_deg, self.remembers_cable = shortest_turn(0.0, self.position.azimuth), False
 

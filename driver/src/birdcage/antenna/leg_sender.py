@@ -12,7 +12,7 @@ from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class LegPlan:
     """The legs to a direction, which is true; none when the dish is there."""
 
     legs: tuple[Leg, ...]
@@ -26,7 +26,7 @@ class LegSender:
     def __init__(self, antenna: BirdcageAntenna) -> None:
         self._antenna = antenna
 
-    def plan(self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False) -> Way:
+    def plan(self, az_deg: float, el_deg: float, *, leapfrog: bool = False, clamp: bool = False) -> LegPlan:
         """Read the position and return the way to a true direction.
 
         Raises as `BirdcageAntenna.point`. Nothing is sent that moves.
@@ -37,13 +37,13 @@ class LegSender:
         dish = antenna.aim(az_deg, el_deg, leapfrog=leapfrog, clamp=clamp)
         start = antenna.gate.position or farthest(antenna.model, *dish)
         legs = plan_legs(antenna.model, start, *dish, antenna.turn_known(dish[0]), antenna.first_motor())
-        return Way(legs, *antenna.alignment.to_true(*dish))
+        return LegPlan(legs, *antenna.alignment.to_true(*dish))
 
-    def plan_skew(self, deg: float) -> Way:
+    def plan_skew(self, deg: float) -> LegPlan:
         """Read the position and return the way of the skew. MotionRefused on a dish without that axis."""
         here = self._antenna.get_position()
         leg = skew_leg(self._antenna.model, self._start, deg)
-        return Way((leg,) if leg.seconds else (), here.azimuth, here.elevation)
+        return LegPlan((leg,) if leg.seconds else (), here.azimuth, here.elevation)
 
     def seconds(self, start: Position, az_deg: float, el_deg: float) -> float:
         """Return about how long the way takes from somewhere (dish angles) to a true direction."""

@@ -9,7 +9,7 @@ from birdcage.antenna.motion import AxisMotion, DishMotion
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class AxisWay:
     """One command of one axis: by how much its target was moved on, in degrees; negative is back."""
 
     axis: int
@@ -20,14 +20,14 @@ class Odometer:
     """Tells the way of each axis in every motion that the dish has taken. A STOP on the way is not taken off."""
 
     def __init__(self) -> None:
-        self.on_way: Callable[[Way], None] = lambda _way: None
+        self.on_way: Callable[[AxisWay], None] = lambda _way: None
 
     def take(self, before: DishMotion | None, now: DishMotion) -> None:
         """Take in that the dish has taken `now` instead of what it did before."""
         old = (None, None, None) if before is None else (before.azimuth, before.elevation, before.skew)
         for earlier, later in zip(old, (now.azimuth, now.elevation, now.skew), strict=True):
             if later is not None and later is not earlier and later.slew.segments:
-                self.on_way(Way(later.axis.index, _way_deg(earlier, later)))
+                self.on_way(AxisWay(later.axis.index, _way_deg(earlier, later)))
 
 
 def _way_deg(earlier: AxisMotion | None, later: AxisMotion) -> float:

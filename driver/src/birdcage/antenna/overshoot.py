@@ -24,7 +24,7 @@ MOST_COUNTED = 100
 
 
 @dataclass(slots=True)
-class Tally:
+class OvershootTally:
     """How far past its target an axis rested, in one direction."""
 
     count: int = 0
@@ -54,7 +54,7 @@ class OvershootWatch:
     """One reading for each move that the dish has told that it took."""
 
     def __init__(self) -> None:
-        self.tallies: dict[tuple[str, bool], Tally] = {}
+        self.tallies: dict[tuple[str, bool], OvershootTally] = {}
         """By name of the axis, and whether it went to a greater angle."""
         self._sure: dict[int, float] = {}
         """When each move began, by motor, of which the dish has told that it took it and no reading was counted yet."""
@@ -82,4 +82,4 @@ class OvershootWatch:
         way_deg = axis.slew.end_deg - axis.slew.segments[0].position_deg if axis.slew.segments else 0.0
         past_deg = math.copysign(1.0, way_deg) * shortest_turn(axis.slew.end_deg, here_deg)
         if abs(way_deg) >= LEAST_WAY_DEG and abs(past_deg) <= MOST_DEG:
-            self.tallies.setdefault((axis.axis.role.value, way_deg > 0.0), Tally()).take(past_deg)
+            self.tallies.setdefault((axis.axis.role.value, way_deg > 0.0), OvershootTally()).take(past_deg)

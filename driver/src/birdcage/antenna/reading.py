@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.antenna.belief import Belief
 from birdcage.antenna.gate import MotionGate
+from birdcage.antenna.reading_filter import ReadingFilter
 from birdcage.base.clock import Clock
 from birdcage.base.errors import PositionUnknown
 from birdcage.rotator.readings import UnreadablePosition, settled
@@ -17,7 +17,7 @@ class Readings:
 
     def __init__(self, gate: MotionGate) -> None:
         self._gate = gate
-        self.belief: Belief | None = None
+        self.belief: ReadingFilter | None = None
         """What readings must pass before anything counts with them; None: each is taken as printed."""
 
     def take(self, once: Callable[[], Position], clock: Clock) -> Position:

@@ -26,7 +26,7 @@ SHORT_DEG = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class ToldPosition:
     """Where it was by its own word, while it moved."""
 
     position: Position
@@ -39,9 +39,9 @@ class Reckoning:
 
     def __init__(self) -> None:
         self._position: Position | None = None
-        self._told: Told | None = None
-        self._told_before: Told | None = None
-        self.word: Told | None = None
+        self._told: ToldPosition | None = None
+        self._told_before: ToldPosition | None = None
+        self.word: ToldPosition | None = None
         """The word of the machine itself that `at` gave last; None where that was reckoned."""
         self.since = -math.inf
         """Since when it should stand there; monotonic seconds."""
@@ -53,12 +53,12 @@ class Reckoning:
         self._position, self.moves_until = None, motion.over_by(rate)
         self._told = self._told_before = None
 
-    def hear(self, position: Position, now: float) -> Told:
+    def hear(self, position: Position, now: float) -> ToldPosition:
         """Take in where it was while it moved, told unasked."""
-        self._told_before, self._told = self._told, Told(position, now)
+        self._told_before, self._told = self._told, ToldPosition(position, now)
         return self._told
 
-    def told_in(self, motion: DishMotion) -> Told | None:
+    def told_in(self, motion: DishMotion) -> ToldPosition | None:
         """Return its last word since a motion began."""
         told = self._told
         return None if told is None or told.at < max(axis.started for axis in motion.axes) else told

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from birdcage.antenna.antenna import BirdcageAntenna
 
 
-class Sender:
+class MoveSender:
     """Of one antenna, which is asked for all that is known of its motion."""
 
     def __init__(self, antenna: BirdcageAntenna) -> None:

@@ -13,7 +13,7 @@ from pathlib import Path
 from birdcage.base.config.edit import Value
 from birdcage.base.config.sections import AlignmentSettings
 from birdcage.base.errors import ConfigError
-from birdcage.base.named_tables import Found, NamedTables, checked_name, number_of, same
+from birdcage.base.named_tables import NamedTables, TablesRead, checked_name, number_of, same
 
 HEADER = (
     "# Alignments with names, in degrees: true = the dish's own + offset, then tilt and collimation.\n"
@@ -89,7 +89,7 @@ def is_in_force(entry: AlignmentSet, settings: AlignmentSettings) -> bool:
     )
 
 
-def _sets(path: Path, found: Found[AlignmentSet]) -> AlignmentSets:
+def _sets(path: Path, found: TablesRead[AlignmentSet]) -> AlignmentSets:
     return AlignmentSets(path, found.entries, found.problems)
 
 

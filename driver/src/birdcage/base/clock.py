@@ -19,7 +19,7 @@ POLL_SLICE_S = 0.005
 """How often an endpoint is looked at that has neither a descriptor nor a timetable (`socket://` on Windows, say)."""
 
 
-class Outcome(Enum):
+class WaitOutcome(Enum):
     """Why a wait ended."""
 
     READY = "ready"
@@ -52,7 +52,7 @@ class Clock(Protocol):
     def utc(self) -> datetime:
         """The time of day, aware, in UTC."""
 
-    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:
+    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> WaitOutcome:
         """Wait until `endpoint` has bytes, `wake` is set, or `monotonic()` reaches `until`, in that order of rank."""
 
 
@@ -69,16 +69,16 @@ class RealClock:
         """Return the system's time of day."""
         return datetime.now(UTC)
 
-    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:
+    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> WaitOutcome:
         """Wait in `select` where there is a descriptor, by timetable for a simulator, in slices of 5 ms elsewhere."""
         while True:
             if wake is not None and wake.is_set():
-                return Outcome.INTERRUPTED
+                return WaitOutcome.INTERRUPTED
             if endpoint is not None and endpoint.pending():
-                return Outcome.READY
+                return WaitOutcome.READY
             now = self.monotonic()
             if now >= until:
-                return Outcome.TIMEOUT
+                return WaitOutcome.TIMEOUT
             self._sleep(endpoint, until - now, wake)
 
     def _sleep(self, endpoint: Endpoint | None, longest_s: float, wake: Wake | None) -> None:
@@ -138,15 +138,15 @@ class VirtualClock:
         """Let time pass without watching the wire."""
         self._now += seconds
 
-    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> Outcome:
+    def wait(self, endpoint: Endpoint | None, until: float, wake: Wake | None = None) -> WaitOutcome:
         """Jump to the endpoint's next event, or to `until`; never block."""
         while True:
             if wake is not None and wake.is_set():
-                return Outcome.INTERRUPTED
+                return WaitOutcome.INTERRUPTED
             if endpoint is not None and endpoint.pending():
-                return Outcome.READY
+                return WaitOutcome.READY
             if self._now >= until:
-                return Outcome.TIMEOUT
+                return WaitOutcome.TIMEOUT
             event = endpoint.next_event() if endpoint is not None else math.inf
             goal = min(until, math.inf if event is None else event)
             if math.isinf(goal):

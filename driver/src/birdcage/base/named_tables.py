@@ -35,7 +35,7 @@ Entry = TypeVar("Entry", bound=Named)
 
 
 @dataclass(frozen=True, slots=True)
-class Found(Generic[Entry]):
+class TablesRead(Generic[Entry]):
     """What a file holds, as far as it could be read."""
 
     entries: tuple[Entry, ...] = ()
@@ -82,17 +82,17 @@ class NamedTables(Generic[Entry]):
         self._read, self._cells = read, cells
         self._heading = re.compile(rf"\s*\[\[\s*[\"']?{table}[\"']?\s*\]\]")
 
-    def load(self, path: Path) -> Found[Entry]:
+    def load(self, path: Path) -> TablesRead[Entry]:
         """Read the file; one that is absent is empty. Nothing is raised: what is wrong stands in `problems`."""
         try:
             raw = read_user_file(path, MOST_BYTES)
         except FileNotFoundError:
-            return Found()
+            return TablesRead()
         except OSError as error:
-            return Found((), (f"{path} can't be read ({error.strerror or error}).",))
+            return TablesRead((), (f"{path} can't be read ({error.strerror or error}).",))
         return self._parse(path, raw)
 
-    def add(self, path: Path, entry: Entry, at: int | None = None) -> Found[Entry]:
+    def add(self, path: Path, entry: Entry, at: int | None = None) -> TablesRead[Entry]:
         """Keep another one, at the end or as the entry number `at`. ConfigError, nothing written: see `_write`."""
 
         def change(entries: list[Entry]) -> None:
@@ -100,7 +100,7 @@ class NamedTables(Generic[Entry]):
 
         return self._write(path, change)
 
-    def replace(self, path: Path, name: str, entry: Entry) -> Found[Entry]:
+    def replace(self, path: Path, name: str, entry: Entry) -> TablesRead[Entry]:
         """Put `entry` in the place of the one called `name`. ConfigError, nothing written: see `_write`."""
 
         def change(entries: list[Entry]) -> None:
@@ -108,7 +108,7 @@ class NamedTables(Generic[Entry]):
 
         return self._write(path, change)
 
-    def delete(self, path: Path, name: str) -> Found[Entry]:
+    def delete(self, path: Path, name: str) -> TablesRead[Entry]:
         """Take out the one called `name`. ConfigError, nothing written: see `_write`."""
 
         def change(entries: list[Entry]) -> None:
@@ -122,22 +122,22 @@ class NamedTables(Generic[Entry]):
             raise ConfigError(f'There is no {self.table} "{name}" in {path} any more. Nothing was written.')
         return found
 
-    def _parse(self, path: Path, raw: bytes) -> Found[Entry]:
+    def _parse(self, path: Path, raw: bytes) -> TablesRead[Entry]:
         try:
             text = raw.decode("utf-8-sig")
         except UnicodeDecodeError as error:
             line = raw.count(b"\n", 0, error.start) + 1
-            return Found((), (f"{path} line {line} is not UTF-8 text.",))
+            return TablesRead((), (f"{path} line {line} is not UTF-8 text.",))
         try:
             data = clean_all(tomllib.loads(text))
         except tomllib.TOMLDecodeError as error:
-            return Found((), (f"{path} is not valid TOML: {error}.",))
+            return TablesRead((), (f"{path} is not valid TOML: {error}.",))
         except (RecursionError, ValueError) as error:
             # tomllib lets both through: brackets nested without end, numbers with thousands of digits.
-            return Found((), (f"{path} is not valid TOML: {type(error).__name__}.",))
+            return TablesRead((), (f"{path} is not valid TOML: {type(error).__name__}.",))
         rows = data.get(self.table, [])
         if not isinstance(rows, list):
-            return Found((), (f"{path}: `{self.table}` must be tables: [[{self.table}]].",))
+            return TablesRead((), (f"{path}: `{self.table}` must be tables: [[{self.table}]].",))
         lines = [number for number, line in enumerate(text.splitlines(), 1) if self._heading.match(line)]
         entries: list[Entry] = []
         problems: list[str] = []
@@ -151,14 +151,14 @@ class NamedTables(Generic[Entry]):
                 problems.append(f"{where}: {wrong}.")
                 continue
             entries.append(entry)
-        return Found(tuple(entries), tuple(problems))
+        return TablesRead(tuple(entries), tuple(problems))
 
     def _entry(self, row: object) -> Entry:
         if not isinstance(row, dict):
             raise ValueError(f"a {self.table} is a table: [[{self.table}]]")
         return self._read(row)
 
-    def _write(self, path: Path, change: Callable[[list[Entry]], None]) -> Found[Entry]:
+    def _write(self, path: Path, change: Callable[[list[Entry]], None]) -> TablesRead[Entry]:
         """Change the list as it is in the file now, and write it aside and rename.
 
         ConfigError, with nothing written: the file is damaged or can't be written, a name is there twice or no more.

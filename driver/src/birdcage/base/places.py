@@ -13,7 +13,7 @@ from pathlib import Path
 from birdcage.base.config.edit import Value
 from birdcage.base.config.sections import HorizonPoint, PlaceSettings
 from birdcage.base.geometry import separation
-from birdcage.base.named_tables import Found, NamedTables, checked_name, number_of, same
+from birdcage.base.named_tables import NamedTables, TablesRead, checked_name, number_of, same
 
 HEADER = (
     "# Places with names. Latitude north +, longitude east +; the horizon as [azimuth, elevation] in true degrees.\n"
@@ -37,7 +37,7 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Places:
+class PlacesRead:
     """What a file holds, as far as it could be read."""
 
     path: Path
@@ -68,12 +68,12 @@ def checked_place(
     return Place(name, latitude_deg, longitude_deg, height_m, tuple(HorizonPoint(*point) for point in horizon))
 
 
-def load_places(path: Path) -> Places:
+def load_places(path: Path) -> PlacesRead:
     """Read the file; one that is absent is empty. Nothing is raised: what is wrong stands in `problems`."""
     return _places(path, _FILE.load(path))
 
 
-def add_place(path: Path, place: Place) -> Places:
+def add_place(path: Path, place: Place) -> PlacesRead:
     """Keep another one.
 
     This and the two below raise ConfigError, with nothing written: the file is damaged or can't be written, a name is
@@ -82,12 +82,12 @@ def add_place(path: Path, place: Place) -> Places:
     return _places(path, _FILE.add(path, place))
 
 
-def replace_place(path: Path, name: str, place: Place) -> Places:
+def replace_place(path: Path, name: str, place: Place) -> PlacesRead:
     """Put `place` where the one called `name` stands."""
     return _places(path, _FILE.replace(path, name, place))
 
 
-def remove_place(path: Path, name: str) -> Places:
+def remove_place(path: Path, name: str) -> PlacesRead:
     """Take out the one called `name`."""
     return _places(path, _FILE.delete(path, name))
 
@@ -133,8 +133,8 @@ def is_in_use(place: Place, settings: PlaceSettings) -> bool:
     return same(place.name, settings.name or "") and here == (place.latitude_deg, place.longitude_deg)
 
 
-def _places(path: Path, found: Found[Place]) -> Places:
-    return Places(path, found.entries, found.problems)
+def _places(path: Path, found: TablesRead[Place]) -> PlacesRead:
+    return PlacesRead(path, found.entries, found.problems)
 
 
 def _read(row: dict[str, object]) -> Place:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from birdcage.base.geometry import wrap_360
-from birdcage.base.named_tables import Found, NamedTables, checked_name, number_of, same
+from birdcage.base.named_tables import NamedTables, TablesRead, checked_name, number_of, same
 
 LONGEST_NOTE = 200
 HEADER = "# Directions with names. True degrees: azimuth clockwise from north, elevation above the horizon.\n\n"
@@ -73,7 +73,7 @@ def delete_preset(path: Path, name: str) -> Presets:
     return _presets(path, _FILE.delete(path, name))
 
 
-def _presets(path: Path, found: Found[Preset]) -> Presets:
+def _presets(path: Path, found: TablesRead[Preset]) -> Presets:
     return Presets(path, found.entries, found.problems)
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class CalibrationObject:
     """An object that is up and in reach."""
 
     target: Target
@@ -45,7 +45,7 @@ class Candidate:
 def candidates(
     observer: Observer, when: datetime, feed: FeedProfile, allowed: Callable[[float, float], bool],
     refraction: Refraction = "radio", beam: Beam | None = None,
-) -> tuple[Candidate, ...]:  # fmt: skip
+) -> tuple[CalibrationObject, ...]:  # fmt: skip
     """Return what is up, in reach, and not known to be beyond this feed's hearing."""
     return tuple(
         each
@@ -56,18 +56,18 @@ def candidates(
 
 def _all(
     observer: Observer, when: datetime, feed: FeedProfile, refraction: Refraction, beam: Beam | None
-) -> Iterator[Candidate]:
+) -> Iterator[CalibrationObject]:
     ear = Ear.of(feed, beam)
     for name in ("sun", "moon"):
         body = BodyTarget(BODIES[name])
         rise_db = expected_rise_db(body, body.look(observer, when), ear)
         if rise_db is None or rise_db >= LEAST_DB:
             az_deg, el_deg = expected(body, observer, when, refraction)
-            yield Candidate(body, az_deg, el_deg, sigma_by_hand(rise_db, beam), rise_db)
+            yield CalibrationObject(body, az_deg, el_deg, sigma_by_hand(rise_db, beam), rise_db)
     table = load_downlinks()
     for slot in slots():
         if slot.is_empty or not may_hear_slot(slot, feed, table):
             continue
         there = SlotTarget(slot)
         az_deg, el_deg = expected(there, observer, when, refraction)
-        yield Candidate(there, az_deg, el_deg, sigma_by_hand(SLOT_RISE_DB, beam), None)
+        yield CalibrationObject(there, az_deg, el_deg, sigma_by_hand(SLOT_RISE_DB, beam), None)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import TERMS, Priors, terms_for
 
 Floats = NDArray[np.float64]
@@ -34,7 +34,7 @@ AGREE = 9.0
 class Residual:
     """How far an object lay from where the fitted model has the beam, on the sky, in degrees."""
 
-    peak: Peak
+    peak: MeasuredPeak
     right_deg: float
     up_deg: float
     alone_right_deg: float | None
@@ -69,7 +69,7 @@ class Fit:
     """What to do about it, in a sentence; empty if nothing."""
 
 
-def fit(peaks: Sequence[Peak], priors: Priors, before: Alignment, terms: Sequence[str] | None = None) -> Fit:
+def fit(peaks: Sequence[MeasuredPeak], priors: Priors, before: Alignment, terms: Sequence[str] | None = None) -> Fit:
     """Fit `terms` (by default as many as these peaks carry) to the peaks. ValueError without a peak."""
     if not peaks:
         raise ValueError("a fit needs a peak")
@@ -124,7 +124,7 @@ def jacobian(directions: Sequence[tuple[float, float]], alignment: Alignment) ->
     return rows
 
 
-def covariance_of(peaks: Sequence[Peak], priors: Priors, alignment: Alignment) -> Floats:
+def covariance_of(peaks: Sequence[MeasuredPeak], priors: Priors, alignment: Alignment) -> Floats:
     """Return how well all five terms are known from these peaks and the priors."""
     information = np.diag(1.0 / np.square(priors.sigma))
     if peaks:
@@ -134,7 +134,7 @@ def covariance_of(peaks: Sequence[Peak], priors: Priors, alignment: Alignment) -
     return np.asarray(np.linalg.inv(information), dtype=np.float64)
 
 
-def condition_of(peaks: Sequence[Peak], alignment: Alignment, free: Sequence[int]) -> float | None:
+def condition_of(peaks: Sequence[MeasuredPeak], alignment: Alignment, free: Sequence[int]) -> float | None:
     """Return the condition number of the peaks' own equations, columns scaled to one length; None for a singular one.
 
     Priors are left out: it tells whether the peaks are spread well enough over the sky.
@@ -148,7 +148,7 @@ def condition_of(peaks: Sequence[Peak], alignment: Alignment, free: Sequence[int
     return value if math.isfinite(value) and value < 1e9 else None
 
 
-def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int], start: Floats | None = None) -> Floats:
+def _solve(peaks: Sequence[MeasuredPeak], priors: Priors, free: Sequence[int], start: Floats | None = None) -> Floats:
     """Return all five terms: Gauss and Newton, from what is believed or from a `start` that is near."""
     mean = np.array(priors.mean)
     values = mean.copy() if start is None else start.copy()
@@ -167,17 +167,19 @@ def _solve(peaks: Sequence[Peak], priors: Priors, free: Sequence[int], start: Fl
     return values
 
 
-def _without(peaks: Sequence[Peak], index: int, priors: Priors, free: Sequence[int], start: Floats) -> Alignment | None:
+def _without(
+    peaks: Sequence[MeasuredPeak], index: int, priors: Priors, free: Sequence[int], start: Floats
+) -> Alignment | None:
     """Return what the others say without one of the peaks; None if there are none."""
     others = [*peaks[:index], *peaks[index + 1 :]]
     return Alignment(*map(float, _solve(others, priors, free, start))) if others else None
 
 
-def _offs(peaks: Sequence[Peak], alignment: Alignment) -> list[tuple[float, float]]:
+def _offs(peaks: Sequence[MeasuredPeak], alignment: Alignment) -> list[tuple[float, float]]:
     return [peak.off(*alignment.to_true(peak.dish_az_deg, peak.dish_el_deg)) for peak in peaks]
 
 
-def _spread(peaks: Sequence[Peak], alignment: Alignment, count: int) -> float:
+def _spread(peaks: Sequence[MeasuredPeak], alignment: Alignment, count: int) -> float:
     """Return by how much the peaks scatter more than they were said to, squared; 1 where that can't be told."""
     freedom = 2 * len(peaks) - count
     if freedom <= 0:
@@ -185,12 +187,12 @@ def _spread(peaks: Sequence[Peak], alignment: Alignment, count: int) -> float:
     return _chi2(peaks, alignment) / freedom
 
 
-def _chi2(peaks: Sequence[Peak], alignment: Alignment) -> float:
+def _chi2(peaks: Sequence[MeasuredPeak], alignment: Alignment) -> float:
     offs = zip(peaks, _offs(peaks, alignment), strict=True)
     return sum(peak.weight * (right**2 + up**2) for peak, (right, up) in offs)
 
 
-def _odd_one(peaks: Sequence[Peak], without: Sequence[Alignment | None]) -> Peak | None:
+def _odd_one(peaks: Sequence[MeasuredPeak], without: Sequence[Alignment | None]) -> MeasuredPeak | None:
     """Return the peak without which the others agree best; None if so few do not tell which it is."""
     if len(peaks) < 4:
         return None
@@ -206,7 +208,7 @@ def _rms(values: Sequence[float]) -> float:
     return math.sqrt(sum(value**2 for value in values) / len(values))
 
 
-def _warning(peaks: Sequence[Peak], condition: float | None, odd: Peak | None) -> str:
+def _warning(peaks: Sequence[MeasuredPeak], condition: float | None, odd: MeasuredPeak | None) -> str:
     if len(peaks) < 3:
         return "Offsets only. Three objects give the tilt, four the collimation."
     if odd is not None:

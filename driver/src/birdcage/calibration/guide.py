@@ -13,18 +13,18 @@ from birdcage.base.alignments import AlignmentSet, alignment_settings, keep_set,
 from birdcage.base.config import Settings, edit, load
 from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.base.paths import Paths
-from birdcage.calibration.candidates import Candidate
+from birdcage.calibration.candidates import CalibrationObject
 from birdcage.calibration.expected import expected
-from birdcage.calibration.peak import SLOT_RISE_DB, Peak, sigma_by_hand
+from birdcage.calibration.peak import SLOT_RISE_DB, MeasuredPeak, sigma_by_hand
 from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, remove_peaks
 from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for
 from birdcage.sky.rise import Ear, expected_rise_db
 from birdcage.sky.targets.model import SlotTarget
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.requests import ApplySettings, Goto, Jog, ReleaseLease, Request, Unwatch, Watch
 from birdcage.station.session import Session
-from birdcage.station.state import MOVING, Link, Pointing
+from birdcage.station.state import MOVING, LinkPhase, Pointing
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
@@ -46,7 +46,7 @@ class NoPeak(BirdcageError):
 class GuideView:
     """What a face draws. True angles in degrees unless named the dish's."""
 
-    peaks: tuple[Peak, ...]
+    peaks: tuple[MeasuredPeak, ...]
     fit: Fit | None
     sky_error_deg: float | None
     """The error to expect by the fit, over all of the sky that this dish reaches; None without a peak."""
@@ -96,7 +96,7 @@ class Guide:
             self._station.submit(Watch("calibration", frozenset({"position"}), rate_hz=2.0))
 
     @property
-    def peaks(self) -> tuple[Peak, ...]:
+    def peaks(self) -> tuple[MeasuredPeak, ...]:
         """Those that were taken."""
         return self._peaks.entries
 
@@ -145,12 +145,12 @@ class Guide:
         self._proposals = proposals_for(self.settings, self.peaks, self._clock.utc(), limits, self._fit, self._beam)
         return self._proposals
 
-    def choose(self, target: Target | Candidate) -> None:
+    def choose(self, target: Target | CalibrationObject) -> None:
         """Take this as the object of the next peak, without moving."""
-        self._target = target.target if isinstance(target, Candidate) else target
+        self._target = target.target if isinstance(target, CalibrationObject) else target
         self._failure = ""
 
-    def go(self, target: Target | Candidate | None = None) -> None:
+    def go(self, target: Target | CalibrationObject | None = None) -> None:
         """Turn the dish to where an object is expected, by the peaks so far; None: the chosen one, as it moves on.
 
         Returns at once; what becomes of it shows in `view`. Limits and STOP hold as for every motion.
@@ -172,7 +172,7 @@ class Guide:
         level = max(math.cos(math.radians(position.el_deg)), 0.02)
         self._ask(Jog(right_deg / level, up_deg, self._holder, self._takes_over), "nudging")
 
-    def take(self, sigma_deg: float | None = None) -> Peak:
+    def take(self, sigma_deg: float | None = None) -> MeasuredPeak:
         """Peaked here: keep where the dish is and where the object was then, and fit anew.
 
         `sigma_deg` is how well that was done; by default, how well a person can by its expected signal. NoPeak while
@@ -191,7 +191,7 @@ class Guide:
         remove_peaks(peaks_file(self._paths), *numbers)
         self._read()
 
-    def put_back(self, peak: Peak) -> Peak:
+    def put_back(self, peak: MeasuredPeak) -> MeasuredPeak:
         """Keep a peak that was removed, under a number of its own, and fit anew. StoreError if it can't be kept."""
         kept = add_peak(peaks_file(self._paths), peak)
         self._read()
@@ -241,7 +241,7 @@ class Guide:
     def _position(self) -> Pointing | None:
         """Where the dish is, read just now; None if that is not known."""
         state = self._station.state
-        seen = state.position if state.position_lost is None and state.link.state is Link.UP else None
+        seen = state.position if state.position_lost is None and state.link.state is LinkPhase.UP else None
         return seen if seen is not None and self._clock.monotonic() - seen.told_at <= FRESH_S else None
 
     @property
@@ -275,7 +275,7 @@ class Guide:
 
 def peak_at(
     settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None, beam: Beam | None = None
-) -> Peak:
+) -> MeasuredPeak:
     """Return a peak by hand on a target with the dish as it was read. BirdcageError where the target is nowhere.
 
     A positive `sigma_deg` is how well it was done; without it, as well as a person can.
@@ -285,7 +285,7 @@ def peak_at(
     rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed, beam))
     heard_db = SLOT_RISE_DB if isinstance(target, SlotTarget) else rise_db
     sigma = sigma_by_hand(heard_db, beam) if sigma_deg is None else sigma_deg
-    return Peak(
+    return MeasuredPeak(
         position.utc, target.name, az_deg, el_deg, position.dish_az_deg, position.dish_el_deg, sigma, "hand", rise_db
     )
 

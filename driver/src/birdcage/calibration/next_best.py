@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.antenna.alignment import Alignment
-from birdcage.calibration.candidates import Candidate
+from birdcage.calibration.candidates import CalibrationObject
 from birdcage.calibration.fit import Fit, Floats, covariance_of, jacobian
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import Priors
 
 AZ_STEP_DEG = 30
@@ -23,7 +23,7 @@ EL_STEP_DEG = 12
 class Proposal:
     """An object, and what a peak on it is worth."""
 
-    candidate: Candidate
+    candidate: CalibrationObject
     error_now_deg: float
     """The expected error over the sky that this dish reaches, as known now."""
     error_then_deg: float
@@ -51,7 +51,7 @@ def enough(proposals: Sequence[Proposal]) -> bool:
 
 
 def rank(
-    candidates: Iterable[Candidate], peaks: Sequence[Peak], priors: Priors, alignment: Alignment,
+    candidates: Iterable[CalibrationObject], peaks: Sequence[MeasuredPeak], priors: Priors, alignment: Alignment,
     el_range_deg: tuple[float, float],
 ) -> tuple[Proposal, ...]:  # fmt: skip
     """Return the objects, best first. `el_range_deg`: the lowest and highest elevation that this dish reaches."""

@@ -27,7 +27,7 @@ SLOT_RISE_DB = 1.2
 
 
 @dataclass(frozen=True, slots=True)
-class Peak:
+class MeasuredPeak:
     """A peak. Angles in degrees."""
 
     utc: datetime

@@ -16,7 +16,7 @@ from birdcage.base.errors import StoreError
 from birdcage.base.paths import Paths, write_aside_and_rename
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import check_regular, read_user_file
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 
 MOST_BYTES = 20_000_000
 _ANGLES = ("true_az_deg", "true_el_deg", "dish_az_deg", "dish_el_deg", "sigma_deg")
@@ -26,7 +26,7 @@ _ANGLES = ("true_az_deg", "true_el_deg", "dish_az_deg", "dish_el_deg", "sigma_de
 class Peaks:
     """What the file holds, as far as it could be read."""
 
-    entries: tuple[Peak, ...] = ()
+    entries: tuple[MeasuredPeak, ...] = ()
     problems: tuple[str, ...] = ()
     """Sentences with file and line. Such lines stay in the file, and count for nothing."""
 
@@ -55,7 +55,7 @@ def load_peaks(path: Path) -> Peaks:
     return Peaks(tuple(entries), tuple(problems))
 
 
-def add_peak(path: Path, peak: Peak) -> Peak:
+def add_peak(path: Path, peak: MeasuredPeak) -> MeasuredPeak:
     """Put a peak at the end, on the disk when this returns; return it with its number. StoreError if it can't be."""
     kept = replace(peak, number=1 + max((each.number for each in load_peaks(path).entries), default=0))
     line = json.dumps({**asdict(kept), "utc": kept.utc.astimezone(UTC).isoformat(timespec="milliseconds")}) + "\n"
@@ -109,7 +109,7 @@ def _is_one_of(line: str, numbers: tuple[int, ...]) -> bool:
         return False
 
 
-def _peak(line: str) -> Peak:
+def _peak(line: str) -> MeasuredPeak:
     """Read one line. ValueError, TypeError or KeyError for what is no peak."""
     row = clean_all(json.loads(line))
     utc = datetime.fromisoformat(row["utc"])
@@ -121,7 +121,7 @@ def _peak(line: str) -> Peak:
     if row["found"] not in ("hand", "rssi"):
         raise ValueError(f"it was found by {row['found']!r}")
     rise_db = row.get("rise_db")
-    return Peak(
+    return MeasuredPeak(
         utc=utc, target=str(row["target"]), found=row["found"], rise_db=None if rise_db is None else float(rise_db),
         number=int(row["number"]), **angles,
     )  # fmt: skip

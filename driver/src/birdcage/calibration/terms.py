@@ -10,7 +10,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.pointing_model import tilt_of_base
 from birdcage.base.config.sections import AlignmentSettings
 from birdcage.base.geometry import shortest_turn, wrap_360
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 
 TERMS = tuple(each.name for each in fields(Alignment))
 """az_offset_deg, el_offset_deg, ca_deg, an_deg, aw_deg: in this order everywhere in this room."""
@@ -42,7 +42,9 @@ class Priors:
         return Alignment(*self.mean)
 
 
-def priors_of(settings: AlignmentSettings, peaks: Sequence[Peak], feed_deg: tuple[float, float] = (0.0, 0.0)) -> Priors:
+def priors_of(
+    settings: AlignmentSettings, peaks: Sequence[MeasuredPeak], feed_deg: tuple[float, float] = (0.0, 0.0)
+) -> Priors:
     """Return what is believed before a fit: the level of the base from Setup, the azimuth from the peaks themselves.
 
     Without a peak the azimuth is believed to be what the settings say. `feed_deg` is how far the feed looks aside, in

@@ -13,7 +13,7 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.alignments import AlignmentSet
 from birdcage.base.errors import ConfigError
 from birdcage.base.geometry import separation, shortest_turn
-from birdcage.calibration.peak import Peak
+from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import Priors, priors_of
 from birdcage.sky.observer import Observer
 from birdcage.station.settings import rules_from
@@ -21,7 +21,7 @@ from birdcage.station.settings import rules_from
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
     from birdcage.base.config import Settings
-    from birdcage.calibration.candidates import Candidate
+    from birdcage.calibration.candidates import CalibrationObject
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.next_best import Proposal
     from birdcage.sky.reach_limits import ReachLimits
@@ -45,13 +45,13 @@ def in_force(settings: Settings) -> Alignment:
     return rules_from(settings).alignment
 
 
-def priors_for(settings: Settings, peaks: Sequence[Peak]) -> Priors:
+def priors_for(settings: Settings, peaks: Sequence[MeasuredPeak]) -> Priors:
     """Return what is believed of this dish before the fit."""
     feed = settings.active_feed
     return priors_of(settings.alignment, peaks, (feed.az_offset_deg, feed.el_offset_deg))
 
 
-def fit_for(settings: Settings, peaks: Sequence[Peak]) -> Fit | None:
+def fit_for(settings: Settings, peaks: Sequence[MeasuredPeak]) -> Fit | None:
     """Return the fit to these peaks; None without any."""
     from birdcage.calibration.fit import fit
 
@@ -83,7 +83,7 @@ def set_from(settings: Settings, fitted: Fit, name: str, utc: datetime) -> Align
 
 def proposals_for(
     settings: Settings,
-    peaks: Sequence[Peak],
+    peaks: Sequence[MeasuredPeak],
     when: datetime,
     limits: ReachLimits,
     fitted: Fit | None = None,
@@ -120,7 +120,7 @@ def allowed_by(limits: ReachLimits) -> Callable[[float, float], bool]:
     return lambda az_deg, el_deg: all(check.of_point(az_deg, el_deg) >= 0.0 for check in checks)
 
 
-def _beside(candidate: Candidate, peaks: Sequence[Peak]) -> bool:
+def _beside(candidate: CalibrationObject, peaks: Sequence[MeasuredPeak]) -> bool:
     return any(
         separation(candidate.az_deg, candidate.el_deg, peak.true_az_deg, peak.true_el_deg) < SAME_DEG for peak in peaks
     )

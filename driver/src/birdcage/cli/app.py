@@ -54,7 +54,7 @@ COMMANDS = {
 """Each has its module in `birdcage.cli.commands`. Kept here so that `--help` loads none of them."""
 
 
-class Ended(Exception):
+class EndedBySignal(Exception):
     """A signal ended the command, after STOP."""
 
     def __init__(self, number: int) -> None:
@@ -94,7 +94,7 @@ class Birdcage(click.Group):
 
         try:
             return super().invoke(ctx)
-        except Ended as ended:
+        except EndedBySignal as ended:
             _say_notes(ended)
             ctx.exit(exits.SIGNAL + ended.number)
         except click.Abort:

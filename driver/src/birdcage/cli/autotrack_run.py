@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING
 from birdcage.base.errors import Held
 from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
 from birdcage.cli.say import say, tell_json
-from birdcage.cli.track_shown import Shown
+from birdcage.cli.track_shown import PursuitShown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.station.events import Event, Followed, PursuitChanged
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import Dish
+    from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
     from birdcage.pursuit.now import Scheduled
     from birdcage.sky.observer import Observer
-    from birdcage.station.pursuit import Pursuit
+    from birdcage.station.pursuit_state import Pursuit
 
 HOLDER = "birdcage autotrack"
 END_S = 10.0
@@ -27,7 +27,9 @@ END_S = 10.0
 _BETWEEN = frozenset({Phase.WAITING, Phase.COUNTDOWN, Phase.OVER})
 
 
-def run_autotrack(dish: Dish, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool) -> None:
+def run_autotrack(
+    dish: DishSession, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool
+) -> None:
     """Follow until that time; the pass under way then is followed to its end. Without a time until a signal ends it.
 
     PositionUnknown when the dish does not know where it is; Held when somebody calls STOP.
@@ -54,10 +56,10 @@ class _Watch:
     """Watches autotrack at work."""
 
     def __init__(
-        self, dish: Dish, desk: PursuitDesk, hours: float, until: datetime | None, *, as_json: bool
+        self, dish: DishSession, desk: PursuitDesk, hours: float, until: datetime | None, *, as_json: bool
     ) -> None:  # fmt: skip
         self._dish, self._desk, self._hours, self._until, self._as_json = dish, desk, hours, until, as_json
-        self._shown = Shown(dish.progress, as_json=as_json)
+        self._shown = PursuitShown(dish.progress, as_json=as_json)
         self._pursuit: Pursuit | None = None
         self._problem = ""
         self._rows: tuple[Scheduled, ...] = ()

@@ -12,8 +12,8 @@ from birdcage.cli.say import say
 if TYPE_CHECKING:
     from birdcage.base.paths import Paths
     from birdcage.calibration.guide import Guide
-    from birdcage.cli.dish import Dish
-    from birdcage.cli.talk import Answers
+    from birdcage.cli.dish import DishSession
+    from birdcage.cli.talk import TypedLines
     from birdcage.sky.targets.model import Target
 
 KEYS = (
@@ -32,14 +32,14 @@ LARGEST_STEP_DEG = 10.0
 SHOWN = 5
 
 
-class Left(Exception):
+class CalibrationLeft(Exception):
     """The person has left."""
 
 
 class CalibrateTalk:
     """One conversation."""
 
-    def __init__(self, guide: Guide, dish: Dish, answers: Answers, paths: Paths) -> None:
+    def __init__(self, guide: Guide, dish: DishSession, answers: TypedLines, paths: Paths) -> None:
         self._guide, self._dish, self._answers, self._paths = guide, dish, answers, paths
         self._step_deg = FIRST_STEP_DEG
         self._failure = ""
@@ -54,7 +54,7 @@ class CalibrateTalk:
         try:
             while True:
                 self._turn()
-        except Left:
+        except CalibrationLeft:
             return
 
     def _turn(self) -> None:
@@ -84,7 +84,7 @@ class CalibrateTalk:
                 self._look()
                 continue
             if line is None:
-                raise Left
+                raise CalibrationLeft
             return line
 
     def _where(self) -> str:
@@ -106,7 +106,7 @@ class CalibrateTalk:
             case "":
                 self._take()
             case "q":
-                raise Left
+                raise CalibrationLeft
             case "?":
                 for each in KEYS:
                     say(each)

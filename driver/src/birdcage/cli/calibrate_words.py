@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from birdcage.base.alignments import AlignmentSet
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.next_best import Proposal
-    from birdcage.calibration.peak import Peak
+    from birdcage.calibration.peak import MeasuredPeak
 
 MEANING = {
     "az_offset_deg": ("-IA", "azimuth offset"),
@@ -30,12 +30,12 @@ PLOT_ROWS, PLOT_COLUMNS = 11, 43
 NICE_DEG = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
 
 
-def peak_values(peak: Peak) -> dict[str, object]:
+def peak_values(peak: MeasuredPeak) -> dict[str, object]:
     """Return a peak for JSON."""
     return {**asdict(peak), "utc": iso(peak.utc), **_rounded(peak, "true_az_deg", "true_el_deg", "sigma_deg")}
 
 
-def tell_peaks(peaks: Sequence[Peak]) -> None:
+def tell_peaks(peaks: Sequence[MeasuredPeak]) -> None:
     """Print the peaks as a table."""
     rows = [
         [str(each.number), f"{each.utc:%Y-%m-%d %H:%MZ}", each.target, f"{each.true_az_deg:.2f}",
@@ -166,5 +166,5 @@ def _maybe(value: float | None, digits: int) -> float | None:
     return None if value is None else round(value, digits)
 
 
-def _rounded(peak: Peak, *names: str) -> dict[str, object]:
+def _rounded(peak: MeasuredPeak, *names: str) -> dict[str, object]:
     return {name: round(getattr(peak, name), 4) for name in names}

@@ -16,19 +16,19 @@ from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, ConfigError, LinkError, MotionRefused, NoReply, PositionUnknown
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
-from birdcage.cli.app import Ended
+from birdcage.cli.app import EndedBySignal
 from birdcage.cli.options import Wanted
 from birdcage.cli.say import Progress, say
 from birdcage.cli.which import with_firmware
-from birdcage.station.doorbell import Doorbell
+from birdcage.station.control_client import owners_folder
+from birdcage.station.control_server import ControlServer
 from birdcage.station.events import Event, StopConfirmed
 from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
 from birdcage.station.requests import Request, Watch
-from birdcage.station.ring import owners_folder
 from birdcage.station.session import Session
-from birdcage.station.state import Activity, Link, StationState, StopReport
+from birdcage.station.state import Activity, LinkPhase, StationState, StopReport
 
 WRONG_FIRMWARE = "wrong_firmware"
 """The console is another dish's: waiting longer changes nothing."""
@@ -49,8 +49,8 @@ READ_S = 5.0
 Hear = Callable[[Event], None]
 
 
-class Dish:
-    """The session of one command, and the waiting for it. Signals end every wait with `Ended`, after STOP."""
+class DishSession:
+    """The session of one command, and the waiting for it. Signals end every wait with `EndedBySignal`, after STOP."""
 
     def __init__(self, session: Session, *, moves: bool) -> None:
         self.session, self.station = session, session.station
@@ -100,11 +100,11 @@ class Dish:
         Someone patient waits out the silence (of a dish that boots) until the time is over.
         """
         deadline = self.now + timeout_s
-        while self.state.link.state is not Link.UP:
+        while self.state.link.state is not LinkPhase.UP:
             link, over = self.state.link, self.now >= deadline
-            if link.state is Link.LOST and (over or not patient or link.last_reply is None):
+            if link.state is LinkPhase.LOST and (over or not patient or link.last_reply is None):
                 raise LinkError(link.detail)
-            silent = link.state is Link.SILENT and (not patient or link.reason == WRONG_FIRMWARE)
+            silent = link.state is LinkPhase.SILENT and (not patient or link.reason == WRONG_FIRMWARE)
             if over or silent:
                 raise NoReply(link.detail, reason=link.reason or None)
             self.look(hear)
@@ -129,7 +129,7 @@ class Dish:
         """Wait a moment for something to happen. Raises Ended after a signal, and what ended the station's thread."""
         self._next(hear)
         if self._signal is not None:
-            raise Ended(self._signal)
+            raise EndedBySignal(self._signal)
         if self.session.crash is not None:
             raise self.session.crash
 
@@ -147,7 +147,7 @@ class Dish:
         """Wait until the dish has told its limits and settings, which it is asked once the line is proven quiet."""
         deadline = self.now + SURVEY_S
         self.station.submit(Watch("birdcage", frozenset({"position"})))
-        while not self.state.surveyed and self.now < deadline and self.state.link.state is Link.UP:
+        while not self.state.surveyed and self.now < deadline and self.state.link.state is LinkPhase.UP:
             self.progress.show("Reading the dish's settings …")
             self.look()
         self.progress.clear()
@@ -199,7 +199,7 @@ def why_unknown(state: StationState) -> str:
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
 
 
-def need_position(dish: Dish) -> None:
+def need_position(dish: DishSession) -> None:
     """Wait until it is known where the dish points, to follow something. PositionUnknown, and why, where it is not.
 
     MotionRefused of a machine that follows nothing.
@@ -226,7 +226,7 @@ def how_to_home(state: StationState) -> str:
 @contextmanager
 def open_dish(
     wanted: Wanted, *, moves: bool = False, survey: bool = True, clock: Clock | None = None
-) -> Iterator[Dish]:
+) -> Iterator[DishSession]:
     """Open the dish for one command, and close it whatever happens.
 
     `moves`: the command may move the dish, so a signal or an error sends STOP before the port is closed, and a last
@@ -234,12 +234,12 @@ def open_dish(
     firmware, the port is asked first. ConfigError for a firmware that this version does not speak.
     """
     wanted = with_firmware(wanted, clock=clock)
-    dish = Dish(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
+    dish = DishSession(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
     with ExitStack() as stack:
         signals = _take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
-            stack.callback(Doorbell(dish.station, owners_folder(wanted.paths)).close)
+            stack.callback(ControlServer(dish.station, owners_folder(wanted.paths)).close)
         if moves:
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()
@@ -249,7 +249,7 @@ def open_dish(
             finally:
                 if signals is not None:
                     signals.leave(LEAVE_S)
-        except (BirdcageError, Ended, click.ClickException) as error:
+        except (BirdcageError, EndedBySignal, click.ClickException) as error:
             _leave(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
                 error.add_note(
@@ -269,7 +269,7 @@ def open_dish(
             dish.close()
 
 
-def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> None:
+def _leave(dish: DishSession, begun: float, error: BaseException, wanted: Wanted) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
     error.__notes__ = []
     if dish.moves and dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
@@ -285,7 +285,7 @@ def _leave(dish: Dish, begun: float, error: BaseException, wanted: Wanted) -> No
     held = find_held(wanted.paths, dish.state.port or wanted.port)
     if held is not None and held.note.sentence not in str(error):
         error.add_note(f"{held.note.sentence} `birdcage release` lets it move again.")
-    if stopped or isinstance(error, Ended):
+    if stopped or isinstance(error, EndedBySignal):
         error.add_note(farewell)
 
 
@@ -304,7 +304,7 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     )  # fmt: skip
 
 
-def _take_signals(stack: ExitStack, dish: Dish) -> SignalListener | None:
+def _take_signals(stack: ExitStack, dish: DishSession) -> SignalListener | None:
     if threading.current_thread() is not threading.main_thread():
         return None  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
     signals = SignalListener()

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import Dish
+    from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
     from birdcage.station.requests import Read, Set
 
@@ -53,7 +53,7 @@ def read_features(dish: Wanted, ids: tuple[str, ...]) -> dict[str, Any]:
 def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:
     """Set a feature, with a person's consent, and return what was read back, as `read_features`."""
     from birdcage.base.held import user_name
-    from birdcage.cli.app import Ended
+    from birdcage.cli.app import EndedBySignal
     from birdcage.cli.owners import ask_owner
     from birdcage.station.feature_report import may_be_set
     from birdcage.station.requests import Set
@@ -63,8 +63,8 @@ def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[s
         told = ask_owner(dish, "set", by, id=feature, value=value, agreed=True)
         return told or _ask(dish, Set(feature, value, by, agreed=True), (feature,))
     except KeyboardInterrupt:
-        ended = Ended(signal.SIGINT)
-    except Ended as signalled:
+        ended = EndedBySignal(signal.SIGINT)
+    except EndedBySignal as signalled:
         ended = signalled
     ended.add_note(may_be_set(feature))
     raise ended
@@ -85,7 +85,7 @@ def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...]) -> dict[str,
     return {"port": state.port, "readings": reading_values(ids, state.dish.features if state.dish else {}, readings)}
 
 
-def _see_at_rest(dish: Dish) -> None:
+def _see_at_rest(dish: DishSession) -> None:
     from birdcage.station.requests import Watch
     from birdcage.station.state import Activity
 

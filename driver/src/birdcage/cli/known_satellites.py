@@ -9,12 +9,12 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from birdcage.base.paths import Paths
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.watch_source import Watched
 
 
-def known_satellites(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> tuple[Entry, ...]:
+def known_satellites(paths: Paths, file: Path | None, tell: Callable[[str], None]) -> tuple[CatalogueEntry, ...]:
     """Return the satellites of `--elements`, else of the catalogue, else those that ship with birdcage.
 
     `tell` gets a sentence about every damaged line. No file is made. ConfigError for a file without elements,
@@ -60,7 +60,7 @@ def frozen_warning(elements: Iterable[ElementSet]) -> str | None:
     )
 
 
-def _entries(elements: Iterable[ElementSet]) -> tuple[Entry, ...]:
-    from birdcage.sky.catalogue import Entry
+def _entries(elements: Iterable[ElementSet]) -> tuple[CatalogueEntry, ...]:
+    from birdcage.sky.catalogue import CatalogueEntry
 
-    return tuple(Entry(each, each.epoch) for each in elements)
+    return tuple(CatalogueEntry(each, each.epoch) for each in elements)

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from birdcage.base.paths import Paths
-    from birdcage.sky.catalogue import Entry, SearchIndex
+    from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
     from birdcage.sky.downlinks import Downlink, Downlinks
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Resolution, Resolver, Target
@@ -38,7 +38,7 @@ class _Shelf:
     def __len__(self) -> int:
         return len(self._index)
 
-    def search(self, text: str, limit: int) -> Sequence[Entry]:
+    def search(self, text: str, limit: int) -> Sequence[CatalogueEntry]:
         return self._index.search(text, limit)
 
     def names(self) -> Sequence[str]:

@@ -14,18 +14,18 @@ def ask_owner(dish: Wanted, do: str, by: str, **more: object) -> dict[str, Any] 
     Raises what it tells went wrong.
     """
     from birdcage.cli.say import say
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, owners_folder
     from birdcage.station.feature_report import error_of
-    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
 
     owner = find_owner(owners_folder(dish.paths), dish.port)
     if owner is None:
         return None
     try:
-        told = ring(owner, do, by, **more)
+        told = call_owner(owner, do, by, **more)
     except NoAnswer as error:
         say(f"{error}.")
         return None
-    except NobodyThere:
+    except OwnerGone:
         return None  # it has ended: the port is free to be opened
     if isinstance(told.get("error"), dict):
         raise error_of(told["error"])
@@ -38,7 +38,7 @@ def ring_owners(dish: Wanted, do: str, by: str) -> list[dict[str, Any]]:
     NoReply where one lives and does not answer.
     """
     from birdcage.base.errors import NoReply
-    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, find_owners, owners_folder, ring
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, find_owners, owners_folder
 
     folder = owners_folder(dish.paths)
     one = find_owner(folder, dish.port) if dish.port_given else None
@@ -46,8 +46,8 @@ def ring_owners(dish: Wanted, do: str, by: str) -> list[dict[str, Any]]:
     told = []
     for owner in owners:
         try:
-            told.append(ring(owner, do, by) | {"port": owner.port, "pid": owner.pid})
-        except NobodyThere:
+            told.append(call_owner(owner, do, by) | {"port": owner.port, "pid": owner.pid})
+        except OwnerGone:
             continue
         except NoAnswer as error:
             raise NoReply(f"{error}: cut the power of the dish.") from error

@@ -11,7 +11,7 @@ import click
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.config.sections import PlaceSettings
-    from birdcage.base.places import Place, Places
+    from birdcage.base.places import Place, PlacesRead
     from birdcage.sky.horizon import HorizonMask
 
 
@@ -25,7 +25,7 @@ def place_in_use(settings: PlaceSettings) -> Place | None:
     return Place(settings.name or "", latitude, longitude, settings.height_m, settings.horizon)
 
 
-def find_saved(places: Places, name: str) -> Place:
+def find_saved(places: PlacesRead, name: str) -> Place:
     """Return the saved place of that name. UsageError when there is none."""
     found = places.named(name)
     if found is None:

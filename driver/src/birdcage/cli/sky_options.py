@@ -38,7 +38,7 @@ class UtcTime(click.ParamType["datetime"]):
 UTC_TIME = UtcTime()
 
 
-class Frequency(click.ParamType["float"]):
+class FrequencyType(click.ParamType["float"]):
     """A frequency in Hz, from text with a unit; a bare number is in MHz."""
 
     name = "FREQ"
@@ -55,7 +55,7 @@ class Frequency(click.ParamType["float"]):
             self.fail(str(error), param, ctx)
 
 
-FREQUENCY = Frequency()
+FREQUENCY = FrequencyType()
 NEGATIVE_NUMBERS = {"ignore_unknown_options": True}
 """Settings of a command whose arguments may be such; `no_options_among` finds what is none."""
 

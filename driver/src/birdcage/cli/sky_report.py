@@ -13,7 +13,7 @@ from birdcage.cli.where_report import rounded
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.look import LookAngle
     from birdcage.sky.observer import Observer
@@ -23,7 +23,7 @@ NAME_WIDTH = 26
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class SkyRow:
     """One thing that is up."""
 
     target: Target
@@ -55,16 +55,16 @@ class Row:
 
 
 @dataclass(frozen=True, slots=True)
-class Sky:
+class SkyReport:
     """Everything that is up, the highest first, and what could not be told."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[SkyRow, ...]
     notes: tuple[str, ...]
 
 
 def look_round(
-    entries: Sequence[Entry], observer: Observer, when: datetime, dish: Wanted, min_elevation_deg: float
-) -> Sky:
+    entries: Sequence[CatalogueEntry], observer: Observer, when: datetime, dish: Wanted, min_elevation_deg: float
+) -> SkyReport:
     """Return what stands at `min_elevation_deg` or higher at a time."""
     from birdcage.cli.standing import what_stands_in_the_way
     from birdcage.sky.ephemeris.worker import NotCovered
@@ -78,7 +78,7 @@ def look_round(
     except NotCovered as error:
         notes.append(str(error))
     rows = [
-        Row(
+        SkyRow(
             target,
             look,
             in_the_way(look),
@@ -88,10 +88,12 @@ def look_round(
         for target, look in seen
         if look.el_deg >= min_elevation_deg
     ]
-    return Sky(tuple(sorted(rows, key=lambda row: -row.seen.el_deg)), tuple(notes))
+    return SkyReport(tuple(sorted(rows, key=lambda row: -row.seen.el_deg)), tuple(notes))
 
 
-def _satellites(entries: Sequence[Entry], observer: Observer, when: datetime) -> Iterator[tuple[Target, LookAngle]]:
+def _satellites(
+    entries: Sequence[CatalogueEntry], observer: Observer, when: datetime
+) -> Iterator[tuple[Target, LookAngle]]:
     """Yield the satellites that have a position."""
     import math
 
@@ -132,7 +134,7 @@ def _bodies(observer: Observer, when: datetime) -> Iterator[tuple[Target, LookAn
         yield target, target.look(observer, when)
 
 
-def table(rows: Sequence[Row], when: datetime) -> Iterator[str]:
+def table(rows: Sequence[SkyRow], when: datetime) -> Iterator[str]:
     """Yield the lines for people: elevation, azimuth, name, range, and what is to be said."""
     if rows:
         yield f"{'EL':>6}  {'AZ':>6}  {'NAME':{NAME_WIDTH}}  {'RANGE KM':>13}  NOTES"
@@ -143,7 +145,7 @@ def table(rows: Sequence[Row], when: datetime) -> Iterator[str]:
         yield f"{row.seen.el_deg:6.2f}  {az_deg:6.2f}  {name:{NAME_WIDTH}}  {far:>13}  {_notes(row, when)}".rstrip()
 
 
-def _notes(row: Row, when: datetime) -> str:
+def _notes(row: SkyRow, when: datetime) -> str:
     from birdcage.sky.catalogue.words import age
     from birdcage.sky.rise import rise_words
 

@@ -9,10 +9,10 @@ import threading
 from typing import TYPE_CHECKING, TextIO
 
 from birdcage.base.errors import BirdcageError
-from birdcage.cli.dish import Dish
+from birdcage.cli.dish import DishSession
 from birdcage.cli.say import say
 from birdcage.setup.step import Mark
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 if TYPE_CHECKING:
     from birdcage.setup.engine import Setup
@@ -27,7 +27,7 @@ CLEARED = "-"
 """What is typed to empty a field that has a value."""
 
 
-class Answers:
+class TypedLines:
     """Lines that a person types, read on a thread of their own: waiting for one never keeps STOP waiting."""
 
     def __init__(self, stream: TextIO) -> None:
@@ -45,14 +45,14 @@ class Answers:
         return self._lines.get_nowait()
 
 
-class Left(Exception):
+class PersonLeft(Exception):
     """The person has left the setup."""
 
 
-class Talk:
+class Conversation:
     """One conversation."""
 
-    def __init__(self, setup: Setup, dish: Dish, answers: Answers) -> None:
+    def __init__(self, setup: Setup, dish: DishSession, answers: TypedLines) -> None:
         self._setup, self._dish, self._answers = setup, dish, answers
         self._said: object = None
         self._marks = {view.name: view.mark for view in setup.steps()}
@@ -65,13 +65,13 @@ class Talk:
             while not self._setup.begin_anew:
                 self._turn()
             return False
-        except Left:
+        except PersonLeft:
             return self._setup.finished
 
     def _wait_for_the_port(self) -> None:
         """Give the port a moment, so that the first thing said is how it is."""
         until = self._dish.now + OPEN_S
-        while self._dish.state.link.state is Link.OPENING and self._dish.now < until:
+        while self._dish.state.link.state is LinkPhase.OPENING and self._dish.now < until:
             self._dish.progress.show(f"… {self._dish.state.link.detail}")
             self._look()
         self._dish.progress.clear()
@@ -130,7 +130,7 @@ class Talk:
                     return None
                 continue
             if line is None:
-                raise Left
+                raise PersonLeft
             return line
 
     def _answer(self, view: StepView, answer: str) -> None:
@@ -138,7 +138,7 @@ class Talk:
         try:
             match word:
                 case "q":
-                    raise Left
+                    raise PersonLeft
                 case "s":
                     self._setup.skip(view.name)
                 case "b":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
-    from birdcage.pursuit.choice import Choice
+    from birdcage.pursuit.chosen_target import ChosenTarget
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
     from birdcage.tracking.mount import Mount
@@ -17,7 +17,7 @@ NO_DISH = "A plan needs to know the dish. Give --firmware, or set firmware under
 
 def choice_for(
     text: str, target: Target, wants: Wanted, *, time_offset_s: float | None, freq_hz: float | None
-) -> Choice:
+) -> ChosenTarget:
     """Return a target as the desk chooses it, with what the options say of it."""
     from birdcage.pursuit.choosing import choice_of, listen_at
 
@@ -29,7 +29,7 @@ def choice_for(
     return choice
 
 
-def plan_for(choice: Choice, wants: Wanted, observer: Observer, now: datetime) -> None:
+def plan_for(choice: ChosenTarget, wants: Wanted, observer: Observer, now: datetime) -> None:
     """Plan, with the share of a dish whose axes move in turn. BirdcageError where that cannot be done."""
     from birdcage.base.errors import BirdcageError
     from birdcage.pursuit.circumstances import Circumstances

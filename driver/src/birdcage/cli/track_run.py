@@ -7,21 +7,21 @@ from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Literal
 
 from birdcage.base.errors import BirdcageError, MotionRefused
-from birdcage.cli.track_shown import Shown
+from birdcage.cli.track_shown import PursuitShown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import reach_end, told_reach_end
 from birdcage.pursuit.now import Mode
 from birdcage.station.events import Event, Followed, PursuitChanged
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import Dish
+    from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
     from birdcage.pursuit.desk_setup import ControllerName
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
-    from birdcage.station.pursuit import Pursuit
+    from birdcage.station.pursuit_state import Pursuit
 
 HOLDER = "birdcage track"
 BEGIN_S = 30.0
@@ -33,7 +33,7 @@ END_S = 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class TrackOrder:
     """What is to be followed, and how."""
 
     text: str
@@ -46,7 +46,7 @@ class Order:
     as_json: bool = False
 
 
-def follow(dish: Dish, wants: Wanted, order: Order) -> None:
+def follow(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     """Follow until it is over. PositionUnknown, MotionRefused or BirdcageError when it does not come to its end."""
     from birdcage.cli.dish import need_position
 
@@ -74,9 +74,9 @@ def follow(dish: Dish, wants: Wanted, order: Order) -> None:
 class _Watch:
     """Watches one pursuit from its beginning to its end."""
 
-    def __init__(self, dish: Dish, desk: PursuitDesk, order: Order) -> None:
+    def __init__(self, dish: DishSession, desk: PursuitDesk, order: TrackOrder) -> None:
         self._dish, self._desk, self._order = dish, desk, order
-        self._shown = Shown(dish.progress, as_json=order.as_json)
+        self._shown = PursuitShown(dish.progress, as_json=order.as_json)
         self._pursuit: Pursuit | None = None
         self._left = False
         """Whether its end was asked for here."""

@@ -9,11 +9,11 @@ from birdcage.cli.say import iso, say, tell_json
 
 if TYPE_CHECKING:
     from birdcage.cli.say import Progress
-    from birdcage.station.pursuit import Pursuit, Sample
+    from birdcage.station.pursuit_state import PointingSample, Pursuit
     from birdcage.tracking.plan import Plan
 
 
-class Shown:
+class PursuitShown:
     """Tells of one pursuit, each thing once."""
 
     def __init__(self, progress: Progress, *, as_json: bool) -> None:
@@ -56,7 +56,7 @@ class Shown:
         if pursuit.next_at is not None and pursuit.next_at > utc:
             self._progress.show(f"{pursuit.phase.value}  {pursuit.next_what} in {_span(pursuit.next_at, utc)}")
 
-    def sample(self, sample: Sample, pursuit: Pursuit | None) -> None:
+    def sample(self, sample: PointingSample, pursuit: Pursuit | None) -> None:
         """Tell how well it points."""
         ahead = ""
         if pursuit is not None and pursuit.next_at is not None and pursuit.next_at > sample.utc:
@@ -86,7 +86,7 @@ class Shown:
             })  # fmt: skip
 
 
-def sample_values(sample: Sample) -> dict[str, object]:
+def sample_values(sample: PointingSample) -> dict[str, object]:
     """Return a sample for JSON: true degrees."""
     return {
         "event": "sample",
@@ -131,7 +131,7 @@ def measured_words(pursuit: Pursuit) -> str:
     return plus_minus(*expected_rms_deg(pursuit))
 
 
-def live_words(sample: Sample) -> str:
+def live_words(sample: PointingSample) -> str:
     """Return how far off the dish is now and what that costs: `error ±0.26° 0.02 dB, dish 0.013°`."""
     loss = "" if sample.loss_db is None else f" {sample.loss_db:.2f} dB"
     if sample.expected_error_deg is None:

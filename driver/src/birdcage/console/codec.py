@@ -13,12 +13,12 @@ from dataclasses import dataclass, field
 from birdcage.console.damage import may_become
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.escapes import EscapeFilter
-from birdcage.console.events import Event, Line, Reply, Stray, StrayPrompt
+from birdcage.console.events import Event, Reply, ReplyLine, Stray, StrayPrompt
 
 LONGEST_LINE = 1024
 """Characters kept of one line; what follows up to its end counts as noise."""
 MOST_LINES = 4096
-"""Lines kept of one reply; the rest are told as `Line` only."""
+"""Lines kept of one reply; the rest are told as `ReplyLine` only."""
 MARK = " " * 8
 """A line that does nothing, sent for this alone: its echo after a prompt says that all sent before was heard."""
 _UNREADABLE = "\N{REPLACEMENT CHARACTER}"
@@ -186,7 +186,7 @@ class Codec:
         head = self._owed[0]
         if len(head.lines) < MOST_LINES:
             head.lines.append(text)
-        events.append(Line(text, head.ticket))
+        events.append(ReplyLine(text, head.ticket))
 
     def _is_mark(self, blanks: str) -> bool:
         """Take in the echo of a mark, behind a prompt and perhaps its blank; what was sent before it is over."""

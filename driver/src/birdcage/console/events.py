@@ -22,7 +22,7 @@ class Reply:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class ReplyLine:
     """A whole line inside the reply that is being received: homing and boot tell their progress so."""
 
     text: str
@@ -43,7 +43,7 @@ class StrayPrompt:
     menu: str
 
 
-Event = Reply | Line | Stray | StrayPrompt
+Event = Reply | ReplyLine | Stray | StrayPrompt
 
 LineSink = Callable[[str], None]
 
@@ -53,5 +53,5 @@ def tell(events: Sequence[Event], ticket: int, on_line: LineSink | None, on_stra
     for event in events:
         if isinstance(event, Stray) and on_stray is not None:
             on_stray(event.text)
-        elif isinstance(event, Line) and event.ticket == ticket and on_line is not None:
+        elif isinstance(event, ReplyLine) and event.ticket == ticket and on_line is not None:
             on_line(event.text)

@@ -11,7 +11,7 @@ import threading
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from birdcage.base.clock import Clock, Outcome
+from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import KEPT, is_garbage
@@ -36,7 +36,7 @@ class LineDialect:
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class LineAnswer:
     """The line that answered a request, and when its first byte came (monotonic seconds)."""
 
     match: re.Match[str]
@@ -70,7 +70,7 @@ class LineSession:
         self._lock = threading.RLock()
         self._splitter = LineSplitter()
         self._awaited: re.Pattern[str] | None = None
-        self._answer: Answer | CommandRefused | None = None
+        self._answer: LineAnswer | CommandRefused | None = None
         self._doubt_until = clock.monotonic()
         """Until when the answer to a request that was given up may come, and be taken for another's."""
         self._seen = bytearray()
@@ -115,7 +115,7 @@ class LineSession:
         *,
         within_s: float | None = None,
         permit: Callable[[], None] | None = None,
-    ) -> Answer:
+    ) -> LineAnswer:
         """Send a line, and return the first line after it that `answer` matches as a whole.
 
         It is due within `within_s`, by default `delay_s`. NoReply (`silent`, `garbage`, `echo`, `blocked`) when it did
@@ -170,9 +170,9 @@ class LineSession:
 
     def _pump(self, until: float) -> bool:
         outcome = self.clock.wait(self.link, until, self._wake)
-        if outcome is Outcome.INTERRUPTED and self._on_wake is not None:
+        if outcome is WaitOutcome.INTERRUPTED and self._on_wake is not None:
             self._on_wake()
-        elif outcome is Outcome.TIMEOUT:
+        elif outcome is WaitOutcome.TIMEOUT:
             return False
         self.take_in()
         return True
@@ -180,7 +180,7 @@ class LineSession:
     def _hear(self, line: HeardLine) -> None:
         if self._awaited is not None and self._answer is None:
             if (match := self._awaited.fullmatch(line.text)) is not None:
-                self._answer = Answer(match, line.at)
+                self._answer = LineAnswer(match, line.at)
                 return
             if (reason := self.dialect.refusal(line.text)) is not None:
                 self._answer = CommandRefused(line.text, reason=reason)

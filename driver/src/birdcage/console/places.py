@@ -41,7 +41,7 @@ def is_of_help(line: str, dialect: ConsoleDialect) -> bool:
     )
 
 
-class Places:
+class MenuPlaces:
     """What each menu of one dish listed, on one connection. Pure."""
 
     def __init__(self, dialect: ConsoleDialect) -> None:

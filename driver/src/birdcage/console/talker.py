@@ -12,7 +12,7 @@ from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.late import LATE, LateLines
 from birdcage.console.learner import Learner
-from birdcage.console.places import SUBMENU, Places
+from birdcage.console.places import SUBMENU, MenuPlaces
 from birdcage.console.wire import Wire
 from birdcage.link.port import Port
 
@@ -52,7 +52,7 @@ class Talker:
         self._wire = Wire(link, clock, dialect, delay_s, wake, on_wake, on_line)
         self._late = LateLines(self._wire)
         self._learner = Learner(self._wire, delay_s, on_line)
-        self._places = Places(dialect)
+        self._places = MenuPlaces(dialect)
         self._new = True
         self._marks_lost = 0
         self._limit: float | None = None

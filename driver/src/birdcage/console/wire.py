@@ -11,12 +11,12 @@ import threading
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from birdcage.base.clock import Clock, Outcome
+from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.wake import Wake
 from birdcage.console.codec import MARK, Codec
 from birdcage.console.diagnosis import KEPT
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.events import Event, Line, LineSink, Reply, Stray, StrayPrompt, tell
+from birdcage.console.events import Event, LineSink, Reply, ReplyLine, Stray, StrayPrompt, tell
 from birdcage.link.opening import keeps_order
 from birdcage.link.port import Port
 
@@ -221,9 +221,9 @@ class Wire:
     def pump(self, until: float, ticket: int = 0, on_line: LineSink | None = None) -> bool:
         """Wait for bytes and take them in; lines of `ticket` go to `on_line`. False when `until` came first."""
         outcome = self.clock.wait(self.link, until, self._wake)
-        if outcome is Outcome.INTERRUPTED and self._on_wake is not None:
+        if outcome is WaitOutcome.INTERRUPTED and self._on_wake is not None:
             self._on_wake()
-        elif outcome is Outcome.TIMEOUT:
+        elif outcome is WaitOutcome.TIMEOUT:
             return False
         self.take_in(ticket, on_line)
         return True
@@ -282,7 +282,7 @@ class Wire:
                     self.menu = None if self.dialect.learnt else self.menu
                     self.doubt(now + 2 * self.delay_s)
                     continue
-                case Line():
+                case ReplyLine():
                     pass
             self.last_reply = now
 

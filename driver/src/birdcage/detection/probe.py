@@ -13,7 +13,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from enum import Enum
 
-from birdcage.base.clock import Clock, Outcome
+from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import is_garbage
 from birdcage.console.escapes import without_escapes
@@ -122,9 +122,9 @@ def probe(
             if clock.monotonic() >= quiet_at:
                 break
             outcome = clock.wait(link, quiet_at, wake)
-            if outcome is Outcome.INTERRUPTED:
+            if outcome is WaitOutcome.INTERRUPTED:
                 on_wake()
-            elif outcome is Outcome.READY:
+            elif outcome is WaitOutcome.READY:
                 heard, last = heard + link.read(), clock.monotonic()
                 if len(heard) > KEPT:
                     break
@@ -146,7 +146,7 @@ def overhear(
     began = clock.monotonic()
     heard = b""
     while clock.monotonic() < began + listen_s and not told(_readable(heard)):
-        if clock.wait(link, began + listen_s, None) is Outcome.READY:
+        if clock.wait(link, began + listen_s, None) is WaitOutcome.READY:
             heard = (heard + link.read())[:KEPT]
     waited_s = round(clock.monotonic() - began, 3)
     return BaudFinding(baud, judge(heard, tokens), _sample(heard), len(heard), waited_s, text=_readable(heard))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Iterator
 
-from birdcage.base.clock import Clock, Outcome
+from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.wake import Wake
 from birdcage.link.link import Link
 
@@ -37,7 +37,7 @@ class Lines:
             # A stream that never pauses has to end as well.
             if self._clock.monotonic() >= deadline:
                 return
-            if self._clock.wait(self._link, deadline, self._wake) is not Outcome.READY:
+            if self._clock.wait(self._link, deadline, self._wake) is not WaitOutcome.READY:
                 return
             *whole, self._rest = (self._rest + self._link.read()).split(b"\n")
             self._whole.extend(line.strip() for line in whole)

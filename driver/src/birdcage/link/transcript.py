@@ -8,7 +8,7 @@ from pathlib import Path
 
 from birdcage.base.background import BackgroundWriter
 from birdcage.link.transcript_file import FILE_LIMIT, TOTAL_LIMIT, TranscriptFiles
-from birdcage.link.transcript_line import Direction, Entry, Header
+from birdcage.link.transcript_line import Direction, Header, TranscriptEntry
 
 QUEUE_BYTES = 4_000_000
 """What may wait for the disk, with what the program needs to keep it; the largest dump of a dish is a tenth of this."""
@@ -17,7 +17,7 @@ EVENT_BYTES = 200
 QUIET_S = 0.05
 """After this long without a byte, an unfinished line is written as it is (a prompt has no line end)."""
 
-Listener = Callable[[Entry], None]
+Listener = Callable[[TranscriptEntry], None]
 
 
 class Transcript:
@@ -39,7 +39,7 @@ class Transcript:
     ) -> None:
         self._listeners: tuple[Listener, ...] = ()
         self._files: TranscriptFiles | None = None
-        self._writer: BackgroundWriter[Entry] | None = None
+        self._writer: BackgroundWriter[TranscriptEntry] | None = None
         self._version = version
         if folder is not None:
             self._files = TranscriptFiles(folder, file_limit=file_limit, total_limit=total_limit)
@@ -65,11 +65,11 @@ class Transcript:
 
     def record(self, direction: Direction, data: bytes, utc: datetime) -> None:
         """Take bytes that passed. Returns at once."""
-        self._take(Entry(utc, direction, data))
+        self._take(TranscriptEntry(utc, direction, data))
 
     def remark(self, text: str, utc: datetime) -> None:
         """Take a remark."""
-        self._take(Entry(utc, "#", text.encode()))
+        self._take(TranscriptEntry(utc, "#", text.encode()))
 
     def listen(self, listener: Listener) -> Callable[[], None]:
         """Call `listener` with each event; the result ends that.
@@ -92,12 +92,12 @@ class Transcript:
         if self._writer is not None and self._files is not None and self._writer.close(timeout_s):
             self._files.close()
 
-    def _take(self, entry: Entry) -> None:
+    def _take(self, entry: TranscriptEntry) -> None:
         if self._writer is not None:
             self._writer.offer(entry)
         for listener in self._listeners:
             listener(entry)
 
 
-def _weight(entry: Entry) -> int:
+def _weight(entry: TranscriptEntry) -> int:
     return EVENT_BYTES + len(entry.data)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TextIO
 
 from birdcage.link.transcript_join import LineJoiner
-from birdcage.link.transcript_line import Entry, Header, format_line
+from birdcage.link.transcript_line import Header, TranscriptEntry, format_line
 
 FILE_LIMIT = 4_000_000
 TOTAL_LIMIT = 40_000_000
@@ -33,12 +33,12 @@ class TranscriptFiles:
         self._retry_at = 0.0
         self._lost = 0
 
-    def write(self, items: list[Entry], dropped: int) -> None:
+    def write(self, items: list[TranscriptEntry], dropped: int) -> None:
         """Take what came, and how many events did not fit into the queue; with nothing, end the unfinished line."""
-        lines: list[Entry] = []
+        lines: list[TranscriptEntry] = []
         if dropped:
             lines += self._joiner.finish()
-            lines.append(Entry(_now(), "#", b"%d events are missing here: the disk was too slow" % dropped))
+            lines.append(TranscriptEntry(_now(), "#", b"%d events are missing here: the disk was too slow" % dropped))
         for item in items:
             lines += self._joiner.join(item)
         if not items:
@@ -52,7 +52,7 @@ class TranscriptFiles:
             self._file.close()
             self._file = None
 
-    def _put(self, lines: list[Entry]) -> None:
+    def _put(self, lines: list[TranscriptEntry]) -> None:
         if time.monotonic() < self._retry_at:
             self._lost += len(lines)
             return
@@ -64,7 +64,7 @@ class TranscriptFiles:
         except OSError as error:
             self._give_up(error, len(lines))
 
-    def _put_line(self, line: Entry) -> None:
+    def _put_line(self, line: TranscriptEntry) -> None:
         if isinstance(line, Header):
             self._header = line.data
         if self._file is None or self._written >= self._file_limit:
@@ -83,10 +83,12 @@ class TranscriptFiles:
         self.path = _free_name(self._folder, utc)
         self._file = self.path.open("x", encoding="ascii", newline="\n")
         self._written = 0
-        self._put_line(Entry(utc, "#", self._header))
+        self._put_line(TranscriptEntry(utc, "#", self._header))
         if self._lost:
             self._put_line(
-                Entry(utc, "#", b"%d lines are missing here: %s" % (self._lost, (self.problem or "").encode()))
+                TranscriptEntry(
+                    utc, "#", b"%d lines are missing here: %s" % (self._lost, (self.problem or "").encode())
+                )
             )
         self._lost = 0
         self.problem = None

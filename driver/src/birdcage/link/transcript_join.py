@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from birdcage.link.transcript_line import Direction, Entry
+from birdcage.link.transcript_line import Direction, TranscriptEntry
 
 LINE_LIMIT = 200
 """Bytes after which a line is cut even though the wire shows no end of it."""
@@ -19,9 +19,9 @@ class LineJoiner:
     """
 
     def __init__(self) -> None:
-        self._open_line: Entry | None = None
+        self._open_line: TranscriptEntry | None = None
 
-    def join(self, entry: Entry) -> list[Entry]:
+    def join(self, entry: TranscriptEntry) -> list[TranscriptEntry]:
         """Take in a chunk, and return the lines that it completes."""
         if entry.direction == "#":
             return [*self.finish(), entry]
@@ -32,9 +32,9 @@ class LineJoiner:
         rest = (started.data if started is not None else b"") + entry.data
         lines = []
         while (end := _line_length(rest, entry.direction)) is not None:
-            lines.append(Entry(utc, entry.direction, rest[:end]))
+            lines.append(TranscriptEntry(utc, entry.direction, rest[:end]))
             rest, utc = rest[end:], entry.utc
-        self._open_line = Entry(utc, entry.direction, rest) if rest else None
+        self._open_line = TranscriptEntry(utc, entry.direction, rest) if rest else None
         return lines
 
     @property
@@ -43,7 +43,7 @@ class LineJoiner:
         line = self._open_line
         return line.data if line is not None and line.direction == "<" else b""
 
-    def finish(self) -> list[Entry]:
+    def finish(self) -> list[TranscriptEntry]:
         """Return the line that has no end yet, as it is; empty when there is none."""
         line, self._open_line = self._open_line, None
         return [line] if line is not None else []

@@ -25,7 +25,7 @@ _LINE = re.compile(r"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d\.\d{3}Z) ([<>#]) (.*)")
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class TranscriptEntry:
     """One event: when (UTC, kept to the millisecond), which way, and the bytes (a remark's are UTF-8)."""
 
     utc: datetime
@@ -38,7 +38,7 @@ class Entry:
         return escape(self.data)
 
 
-class Header(Entry):
+class Header(TranscriptEntry):
     """A remark that says what follows: it stands in the first line of each file until there is another."""
 
     __slots__ = ()
@@ -69,17 +69,17 @@ def unescape(text: str) -> bytes:
     return bytes(data)
 
 
-def format_line(entry: Entry) -> str:
+def format_line(entry: TranscriptEntry) -> str:
     """Return the line of `entry`, without a line end."""
     stamp = entry.utc.astimezone(UTC).strftime("%Y-%m-%dT%H:%M:%S")
     return f"{stamp}.{entry.utc.microsecond // 1000:03d}Z {entry.direction} {entry.text}"
 
 
-def parse_line(line: str) -> Entry:
+def parse_line(line: str) -> TranscriptEntry:
     """Return what `format_line` wrote, a line end allowed; ValueError names what is wrong."""
     found = _LINE.fullmatch(line.rstrip("\r\n"))
     if found is None:
         raise ValueError(f"no transcript line: {line[:60]!r}")
     stamp, direction, text = found.groups()
     utc = datetime.strptime(stamp, "%Y-%m-%dT%H:%M:%S.%fZ").replace(tzinfo=UTC)
-    return Entry(utc, cast(Direction, direction), unescape(text))
+    return TranscriptEntry(utc, cast(Direction, direction), unescape(text))

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from typing import TypeVar
 
-from birdcage.base.clock import Clock, Outcome, RealClock
+from birdcage.base.clock import Clock, RealClock, WaitOutcome
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.protocol.generic import GENERIC_FACTS, GENERIC_FEATURES
 from birdcage.protocol.menu_rotator import MenuRotator
@@ -218,7 +218,7 @@ class DocumentedRotator(MenuRotator):
         """See `Rotator`."""
         if self._is_attached:
             super().listen(until)
-        elif self._clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+        elif self._clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
 
     def is_answer(self, text: str) -> bool:

@@ -15,9 +15,9 @@ from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.axis import Axis, Role
-from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
-from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, Kind, Value, Writer
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
+from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, FeatureKind, Value, Writer
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 from birdcage.rotator.values import Position
@@ -34,10 +34,16 @@ def _end_tv_search(dish: Any, _done: Value) -> dict[str, Value]:  # noqa: ANN401
     return {END_TV_SEARCH: True}
 
 
-def end_tv_search(*, lines: int, menu: str | None = None) -> Row:
+def end_tv_search(*, lines: int, menu: str | None = None) -> FeatureRow:
     """Return the row of a dish whose TV search is ended while it runs, by `kill_search`."""
-    return Row(
-        Feature(END_TV_SEARCH, "End the TV search", kind=Kind.MOMENTARY, writer=Writer.AT_ONCE, cost=Cost(lines, menu)),
+    return FeatureRow(
+        Feature(
+            END_TV_SEARCH,
+            "End the TV search",
+            kind=FeatureKind.MOMENTARY,
+            writer=Writer.AT_ONCE,
+            cost=Cost(lines, menu),
+        ),
         write=_end_tv_search,
     )
 
@@ -54,7 +60,7 @@ GENERIC_FACTS = Facts(
         Axis("elevation", Role.EL, 15.0, 90.0, _ASSUMED_SPEED_DEG_S, _ASSUMED_ACCELERATION_DEG_S2, _STEP_DEG),
     ),
     cable=None,
-    turn=Turn.UNKNOWN,
+    turn=CableTurn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(

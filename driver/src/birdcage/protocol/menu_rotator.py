@@ -19,7 +19,7 @@ from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.rotator import Line
+from birdcage.rotator.rotator import LineStatus
 from birdcage.rotator.values import Look, Survey, Taken
 
 _ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
@@ -33,7 +33,7 @@ def _dial(clock: Clock) -> Callable[[str, int], Link]:
 
 
 class ConsoleLine:
-    """A `Line` over an open console."""
+    """A `LineStatus` over an open console."""
 
     def __init__(self, console: Console) -> None:
         self._console = console
@@ -50,36 +50,36 @@ class ConsoleLine:
 
     @property
     def last_reply(self) -> float | None:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.last_reply
 
     @property
     def round_trip_s(self) -> float | None:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.round_trip_s
 
     @property
     def took_s(self) -> float:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.took_s
 
     @property
     def answered(self) -> int:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.answered
 
     @property
     def stray_bytes(self) -> int:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.stray_bytes
 
     @property
     def delay_s(self) -> float:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.delay_s
 
     def unanswered_s(self) -> float:
-        """See `Line`."""
+        """See `LineStatus`."""
         return self._console.unanswered_s()
 
 
@@ -115,7 +115,7 @@ class MenuRotator:
         return self.protocol.clock
 
     @property
-    def line(self) -> Line:
+    def line(self) -> LineStatus:
         """See `Rotator`."""
         return ConsoleLine(self.protocol.console)
 

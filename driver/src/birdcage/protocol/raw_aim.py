@@ -7,7 +7,7 @@ import re
 from dataclasses import replace
 
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
-from birdcage.rotator.verdict import Aim, Verdict
+from birdcage.rotator.verdict import RawAim, Verdict
 
 
 def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
@@ -22,10 +22,10 @@ def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
             return replace(verdict, limit=f"`{text}` is not an angle: where the dish goes then is not known.")
     if groups.get("angle") is not None:
         axis, angle = int(groups["axis"]), _number(groups["angle"])
-        return replace(verdict, aim=Aim({axis: angle}, relative=groups["angle"][0] in "+-"))
+        return replace(verdict, aim=RawAim({axis: angle}, relative=groups["angle"][0] in "+-"))
     named = {MOTOR_AZIMUTH: groups.get("az"), MOTOR_ELEVATION: groups.get("el")}
     angles = {motor: _number(text) for motor, text in named.items() if text is not None}
-    return replace(verdict, aim=Aim(angles)) if angles else verdict
+    return replace(verdict, aim=RawAim(angles)) if angles else verdict
 
 
 def _number(text: str) -> float:

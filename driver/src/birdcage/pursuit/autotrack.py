@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING
 
 from birdcage.pursuit.follower import IN_MID_PASS
 from birdcage.pursuit.now import Scheduled
-from birdcage.pursuit.schedule_model import Kept
+from birdcage.pursuit.schedule_model import KeptPass
 from birdcage.pursuit.timetable import Timetable
-from birdcage.station.pursuit import Phase, Pursuit
+from birdcage.station.pursuit_state import Phase, Pursuit
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from birdcage.pursuit.circumstances import Circumstances
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
 
 AGAIN_S = 15.0
 """A pass that was not taken on is asked for again after so many monotonic seconds."""
@@ -46,7 +46,7 @@ class Autotrack:
         self.on = self.just_on = on
         self.row, self.tried_at = None, float("-inf")
 
-    def refresh(self, favourites: Sequence[Entry], at: Circumstances, live: Pursuit | None) -> bool:
+    def refresh(self, favourites: Sequence[CatalogueEntry], at: Circumstances, live: Pursuit | None) -> bool:
         """Keep the timetable; return whether it shows anything else."""
         return self.timetable.refresh(favourites, at, self._present(live))
 
@@ -72,10 +72,10 @@ class Autotrack:
         """Note that a pass was asked for."""
         self.row, self.tried_at, self.just_on = row, monotonic, False
 
-    def _present(self, live: Pursuit | None) -> Kept | None:
+    def _present(self, live: Pursuit | None) -> KeptPass | None:
         if not self.on or self.row is None or live is None:
             return None
-        return Kept(self.row, following=live.phase in BEGUN)
+        return KeptPass(self.row, following=live.phase in BEGUN)
 
 
 def same_pass(one: Scheduled, other: Scheduled) -> bool:

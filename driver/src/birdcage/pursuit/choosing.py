@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.pursuit.choice import Choice
+from birdcage.pursuit.chosen_target import ChosenTarget
 from birdcage.pursuit.frequency import sent_by
 
 if TYPE_CHECKING:
@@ -15,26 +15,26 @@ if TYPE_CHECKING:
     from birdcage.sky.targets import Target
 
 
-def choice_of(text: str, target: Target, finder: Finder | None) -> Choice:
+def choice_of(text: str, target: Target, finder: Finder | None) -> ChosenTarget:
     """Return a choice without passes and plan. With a `finder` a satellite is of its catalogue."""
     from birdcage.sky.targets.model import Satellite
 
     if not isinstance(target, Satellite):
-        return Choice(text, target)
+        return ChosenTarget(text, target)
     entry = None if finder is None else finder.entry(target.elements.norad_id)
-    return Choice(
+    return ChosenTarget(
         text, Satellite(target.elements), target.elements, target.time_offset_s, of_catalogue=finder is not None,
         favourite=entry is not None and entry.favourite, priority=0 if entry is None else entry.priority,
     )  # fmt: skip
 
 
-def listen_at(choice: Choice, settings: Settings, downlinks: Path) -> None:
+def listen_at(choice: ChosenTarget, settings: Settings, downlinks: Path) -> None:
     """Find out what it sends, and what of it is heard with the feed that is mounted."""
     if choice.elements is not None:
         choice.sent, choice.usual = sent_by(choice.elements, settings.active_feed, downlinks)
 
 
-def bring_up_to_date(choice: Choice, finder: Finder) -> bool:
+def bring_up_to_date(choice: ChosenTarget, finder: Finder) -> bool:
     """Take over what the catalogue says of it now; return whether that is anything else."""
     from birdcage.sky.targets.model import Satellite
 

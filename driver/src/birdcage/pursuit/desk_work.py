@@ -12,25 +12,25 @@ from typing import TYPE_CHECKING
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.autotrack import Autotrack
-from birdcage.pursuit.choice import Choice
+from birdcage.pursuit.chosen_target import ChosenTarget
 from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
-from birdcage.pursuit.memory import Memory
-from birdcage.pursuit.now import NO_PLACE, DeskNow, Found, Mode, Resumable
+from birdcage.pursuit.now import NO_PLACE, DeskNow, Mode, Resumable, TargetMatch
+from birdcage.pursuit.plan_keeper import PlanKeeper
 from birdcage.pursuit.pointer import BelowWords, Pointer
-from birdcage.pursuit.sheet import Sheet
-from birdcage.pursuit.stopped import Stopped
+from birdcage.pursuit.resume_file import ResumeFile
+from birdcage.pursuit.resume_store import ResumeStore
+from birdcage.pursuit.stopped import StoppedPursuit
 from birdcage.pursuit.timetable import Timetable
-from birdcage.pursuit.unfinished import Keeper
 from birdcage.radio.now import RadioNow
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto
 from birdcage.station.station import Station
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
-    from birdcage.pursuit.beside import Beside
+    from birdcage.pursuit.pass_services import PassServices
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
 
@@ -48,17 +48,17 @@ class DeskWork:
 
     def __init__(self, station: Station, clock: Clock, setup: DeskSetup, post: Post, *, threads: bool) -> None:
         self._threads = threads
-        self._beside: Beside | None = None
+        self._beside: PassServices | None = None
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
-        self._sheet = Sheet(station, clock, setup, self._follower, post, self.look_again, threads=threads)
-        self._keeper = Keeper(None if setup.demo else Memory(setup.paths.state), takes_up=setup.takes_up)
+        self._sheet = PlanKeeper(station, clock, setup, self._follower, post, self.look_again, threads=threads)
+        self._keeper = ResumeStore(None if setup.demo else ResumeFile(setup.paths.state), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable(setup.paths.downlinks_file))
-        self._stopped = Stopped()
+        self._stopped = StoppedPursuit()
         self._by_autotrack = False
         """Whether autotrack has asked for what is followed, and not a person."""
         self._query = ""
-        self._found: tuple[Found, ...] = ()
+        self._found: tuple[TargetMatch, ...] = ()
         self._found_note = ""
         self._pointer, self._below = Pointer(self._sheet.finder), BelowWords()
         self._mode, self._problem = Mode.WATCH, ""
@@ -264,11 +264,11 @@ class DeskWork:
             self._beside.close()
             self._beside = None
 
-    def _begin(self, now: datetime) -> Beside:
-        from birdcage.pursuit.beside import Beside
+    def _begin(self, now: datetime) -> PassServices:
+        from birdcage.pursuit.pass_services import PassServices
 
         self._keeper.begin(now)
-        return Beside(
+        return PassServices(
             self._station, self._clock, self._setup.paths, self._sheet.settings, threads=self._threads,
             changed=lambda: self._post(self.look_again), receiver=self._setup.receiver,
         )  # fmt: skip
@@ -286,7 +286,7 @@ class DeskWork:
             or ("" if self._beside is None else self._beside.problem)
         )
 
-    def _below_words(self, choice: Choice) -> str:
+    def _below_words(self, choice: ChosenTarget) -> str:
         """Return that the choice is below the horizon, of what has no passes to say when it rises."""
         observer = self._sheet.observer
         if observer is None or choice.elements is not None:
@@ -299,13 +299,13 @@ class DeskWork:
     def _say(self, problem: str) -> None:
         self._problem, self._changed = problem, True
 
-    def _ready(self) -> tuple[Choice, Circumstances] | None:
+    def _ready(self) -> tuple[ChosenTarget, Circumstances] | None:
         """Return the choice and what a plan is made for; None, and say so, where one is missing."""
         choice, at = self._sheet.choice, self._sheet.circumstances()
         self._say(NO_PLACE if at is None else NO_CHOICE if choice is None else "")
         return None if choice is None or at is None else (choice, at)
 
-    def _follow(self, choice: Choice, at: Circumstances, *, asked: bool) -> bool:
+    def _follow(self, choice: ChosenTarget, at: Circumstances, *, asked: bool) -> bool:
         choice.forget_plan()
         self._sheet.refresh(choice, at)
         plan = choice.plan
@@ -321,7 +321,7 @@ class DeskWork:
     def _resumable(self) -> Resumable | None:
         return self._stopped.shown(self._clock.utc(), self._follower.live, autotrack=self._auto.on)
 
-    def _after(self, choice: Choice, now: datetime) -> None:
+    def _after(self, choice: ChosenTarget, now: datetime) -> None:
         """Go on to the next pass after one that came to its end, if that is what its owner has set."""
         ended, at = self._follower.pursuit, self._sheet.circumstances()
         end = None if ended is None else reach_end(ended.plan)

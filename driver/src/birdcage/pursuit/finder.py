@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
 from birdcage.base.store import fingerprint
-from birdcage.pursuit.now import Found
+from birdcage.pursuit.now import TargetMatch
 
 if TYPE_CHECKING:
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.observer import Observer
-    from birdcage.sky.targets import Candidate, Resolution, Resolver
+    from birdcage.sky.targets import Resolution, Resolver, TargetCandidate
 
 MOST = 40
 """Rows of an answer."""
@@ -26,14 +26,14 @@ class Finder:
     def __init__(self, catalogue: Path, downlinks: Path | None = None) -> None:
         self._path, self._downlinks = catalogue, downlinks
         self._seen: tuple[object, ...] | None = None
-        self._entries: tuple[Entry, ...] = ()
+        self._entries: tuple[CatalogueEntry, ...] = ()
         self._resolver: Resolver | None = None
         self.problem = ""
         """Why the catalogue could not be read; what was read before still counts."""
 
     def refresh(self) -> bool:
         """Read the catalogue if its file has changed; return whether it had. The sets that ship where it is empty."""
-        from birdcage.sky.catalogue import Entry, SearchIndex
+        from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
         from birdcage.sky.downlinks import load_downlinks
         from birdcage.sky.frozen import frozen
         from birdcage.sky.targets import Resolver
@@ -52,19 +52,19 @@ class Finder:
             entries = ()
         else:
             self.problem = ""
-        self._entries = entries or tuple(Entry(each, each.epoch) for each in frozen())
+        self._entries = entries or tuple(CatalogueEntry(each, each.epoch) for each in frozen())
         self._resolver = Resolver(SearchIndex(self._entries), load_downlinks(self._downlinks))
         # Reading it makes files beside it that were not there before.
         self._seen = fingerprint(self._path)
         return True
 
     @property
-    def favourites(self) -> tuple[Entry, ...]:
+    def favourites(self) -> tuple[CatalogueEntry, ...]:
         """The favourites, those of high priority first."""
         found = (each for each in self._entries if each.favourite)
         return tuple(sorted(found, key=lambda each: (-each.priority, each.name.casefold())))
 
-    def entry(self, norad_id: int) -> Entry | None:
+    def entry(self, norad_id: int) -> CatalogueEntry | None:
         """Return what the catalogue has of a satellite; None for nothing, and for number 0."""
         return next((each for each in self._entries if norad_id and each.norad_id == norad_id), None)
 
@@ -74,18 +74,18 @@ class Finder:
 
         return (self._resolver or Resolver()).resolve(text)
 
-    def search(self, text: str, now: datetime, observer: Observer | None = None) -> tuple[tuple[Found, ...], str]:
+    def search(self, text: str, now: datetime, observer: Observer | None = None) -> tuple[tuple[TargetMatch, ...], str]:
         """Return what a text may mean, best first, and what is to be said of that: why it is none of them, or nothing.
 
         For an empty text the favourites, and then the bodies.
         """
         from birdcage.sky.ephemeris.bodies import BODIES
-        from birdcage.sky.targets import Candidate, Resolver
+        from birdcage.sky.targets import Resolver, TargetCandidate
         from birdcage.sky.targets.model import BodyTarget
 
         typed = text.strip()
         if not typed:
-            bodies = (Candidate(BodyTarget(body), key) for key, body in BODIES.items())
+            bodies = (TargetCandidate(BodyTarget(body), key) for key, body in BODIES.items())
             favourites = (_of_entry(each, now) for each in self.favourites)
             return (*favourites, *(_of_candidate(each, now, observer) for each in bodies))[:MOST], ""
         resolver = self._resolver or Resolver()
@@ -97,11 +97,11 @@ class Finder:
         return tuple(_of_candidate(each, now, observer) for each in rows[:MOST]), said
 
 
-def _of_candidate(candidate: Candidate, now: datetime, observer: Observer | None) -> Found:
-    from birdcage.sky.catalogue import Entry
+def _of_candidate(candidate: TargetCandidate, now: datetime, observer: Observer | None) -> TargetMatch:
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.targets.model import SlotTarget
 
-    if isinstance(candidate.hit, Entry):
+    if isinstance(candidate.hit, CatalogueEntry):
         found = _of_entry(candidate.hit, now)
         if candidate.silence is None:
             return found
@@ -112,10 +112,10 @@ def _of_candidate(candidate: Candidate, now: datetime, observer: Observer | None
     if isinstance(target, SlotTarget):
         never = observer is not None and target.look(observer, now).el_deg <= 0.0
         detail = "never rises here" if never else "nothing sends there" if target.slot.is_empty else "geostationary"
-    return Found(candidate.text, target.name, target.kind, detail)
+    return TargetMatch(candidate.text, target.name, target.kind, detail)
 
 
-def _of_entry(entry: Entry, now: datetime) -> Found:
+def _of_entry(entry: CatalogueEntry, now: datetime) -> TargetMatch:
     from birdcage.sky.catalogue.words import span
 
     age_s = (now - entry.elements.epoch).total_seconds()
@@ -125,4 +125,4 @@ def _of_entry(entry: Entry, now: datetime) -> Found:
     if entry.norad_id:
         detail = f"{entry.norad_id} · {detail}"
     text = str(entry.norad_id) if entry.norad_id else entry.name
-    return Found(text, entry.name or text, "satellite", detail, entry.favourite)
+    return TargetMatch(text, entry.name or text, "satellite", detail, entry.favourite)

@@ -9,7 +9,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.requests import EndPursuit, Pursue
 
 if TYPE_CHECKING:

@@ -9,14 +9,16 @@ if TYPE_CHECKING:
 
     from birdcage.base.config import FeedProfile
     from birdcage.sky.downlinks import Downlink
-    from birdcage.sky.downlinks_hearing import Hearing
+    from birdcage.sky.downlinks_hearing import FeedHearing
     from birdcage.sky.elements import ElementSet
 
 NEAR_HZ = 100_000.0
 """As near as this a frequency that a person typed is that of a downlink: beyond any Doppler, below any next channel."""
 
 
-def sent_by(elements: ElementSet, feed: FeedProfile, downlinks: Path) -> tuple[tuple[Downlink, ...], Hearing | None]:
+def sent_by(
+    elements: ElementSet, feed: FeedProfile, downlinks: Path
+) -> tuple[tuple[Downlink, ...], FeedHearing | None]:
     """Return what it is not known to have ceased to send, and which of it is listened to with this feed.
 
     `downlinks`: the user's own table, which need not be there.

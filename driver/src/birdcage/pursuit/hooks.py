@@ -35,7 +35,7 @@ class HookLine:
 Sink = Callable[[HookLine], None]
 
 
-class Hooks:
+class PassHooks:
     """Call `step` every now and then, on one thread; nothing here waits for a command but `close`."""
 
     def __init__(self, settings: HookSettings, sink: Sink, clock: Clock, *, grace_s: float = GRACE_S) -> None:

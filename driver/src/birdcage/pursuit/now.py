@@ -12,7 +12,7 @@ from birdcage.radio.now import RadioNow
 if TYPE_CHECKING:
     from birdcage.sky.look import LookAngle
     from birdcage.sky.pass_row import PassRow
-    from birdcage.tracking.plan import Aim, Plan
+    from birdcage.tracking.plan import Plan, PlanTarget
 
 NO_PLACE = "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two angles."
 """The problem of a desk that does not know where the dish stands, and of a target that it is to locate."""
@@ -28,7 +28,7 @@ class Mode(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class TargetMatch:
     """A target that fits what was typed."""
 
     text: str
@@ -115,14 +115,14 @@ class DeskNow:
 
     utc: datetime
     query: str = ""
-    found: tuple[Found, ...] = ()
+    found: tuple[TargetMatch, ...] = ()
     found_note: str = ""
     """Why none of them is what was typed, and what to do; empty for nothing."""
     located: Located | None = None
     """Where the target stands that `locate` was asked for; None for none."""
     choice: str | None = None
     """What `choose` was given last."""
-    aim: Aim | None = None
+    aim: PlanTarget | None = None
     plan: Plan | None = None
     """For the present or next pass of the choice; of a target that does not pass, for the next hour."""
     passes: tuple[PassRow, ...] = ()

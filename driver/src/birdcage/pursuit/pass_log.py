@@ -9,11 +9,11 @@ from pathlib import Path
 
 from birdcage.base.background import BackgroundWriter
 from birdcage.pursuit.hooks import HookLine
-from birdcage.pursuit.pass_log_items import Began, Ended, Item, Looked, Remarked, Told
+from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassRemarked, PassTold
 from birdcage.pursuit.pass_log_work import EpochOf, PassLogWork
 from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
 from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
-from birdcage.station.pursuit import Phase, Pursuit, Sample
+from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit
 from birdcage.station.pursuit_words import DONE
 from birdcage.station.station import Station
 
@@ -76,7 +76,7 @@ class PassLog:
 
     def hook_said(self, line: HookLine) -> None:
         """Keep what a hook said, before, during or after its pass: the sink of `Hooks`."""
-        self._writer.offer(Remarked(line.name, line.utc, f"{line.event}: {line.text}"))
+        self._writer.offer(PassRemarked(line.name, line.utc, f"{line.event}: {line.text}"))
 
     def flush(self, timeout_s: float = 2.0) -> bool:
         """Wait until all is on disk; False if that took too long."""
@@ -99,7 +99,7 @@ class PassLog:
         head = head_of(pursuit, self._open.started, demo=self._open.demo, site=self._open.site)
         # The latency changes with every command; the one at the end is kept.
         if replace(head, latency_s=None) != replace(self._open, latency_s=None):
-            self._writer.offer(Told(head))
+            self._writer.offer(PassTold(head))
         self._open = head
         if pursuit.phase is Phase.PARKING:
             self._end(event.utc, DONE)
@@ -116,21 +116,21 @@ class PassLog:
     def _begin(self, pursuit: Pursuit, utc: datetime, demo: bool) -> None:
         self._open = head_of(pursuit, utc, demo=demo, site=self._site())
         self._last = None
-        self._writer.offer(Began(self._open))
+        self._writer.offer(PassBegan(self._open))
 
     def _end(self, utc: datetime, outcome: str) -> None:
         if self._open is not None:
-            self._writer.offer(Ended(utc, outcome, self._open.latency_s))
+            self._writer.offer(PassEnded(utc, outcome, self._open.latency_s))
             self._done, self._open = self._open.pursuit, None
 
-    def _keep(self, sample: Sample) -> None:
+    def _keep(self, sample: PointingSample) -> None:
         seldom = self._open is not None and self._open.aos is None
         if seldom and self._last is not None and sample.at - self._last[0] < SELDOM_S:
             return
         self._last = (sample.at, sample.utc)
         value, unit = self._signal_at(sample.at)
         self._writer.offer(
-            Looked(
+            PassLooked(
                 PassSample(
                     sample.utc, sample.target_az_deg, sample.target_el_deg, sample.planned_az_deg,
                     sample.planned_el_deg, sample.commanded_az_deg, sample.commanded_el_deg, sample.reported_az_deg,

@@ -9,7 +9,7 @@ from birdcage.pursuit.pass_record import PassHead, PassSample
 
 
 @dataclass(frozen=True, slots=True)
-class Began:
+class PassBegan:
     """A pass begins."""
 
     head: PassHead
@@ -18,21 +18,21 @@ class Began:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class PassTold:
     """More is known of the pass under way."""
 
     head: PassHead
 
 
 @dataclass(frozen=True, slots=True)
-class Looked:
+class PassLooked:
     """A sample of the pass under way."""
 
     sample: PassSample
 
 
 @dataclass(frozen=True, slots=True)
-class Remarked:
+class PassRemarked:
     """A line of text about a target's pass, which may have ended, or not begun."""
 
     name: str
@@ -42,7 +42,7 @@ class Remarked:
 
 
 @dataclass(frozen=True, slots=True)
-class Ended:
+class PassEnded:
     """The pass under way is over."""
 
     utc: datetime
@@ -50,4 +50,4 @@ class Ended:
     latency_s: float | None
 
 
-Item = Began | Told | Looked | Remarked | Ended
+Item = PassBegan | PassTold | PassLooked | PassRemarked | PassEnded

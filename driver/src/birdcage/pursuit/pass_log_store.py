@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
-from birdcage.pursuit.pass_log_items import Began, Ended, Item, Looked, Remarked, Told
+from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassRemarked, PassTold
 from birdcage.pursuit.pass_record import HEAD, SAMPLE, PassHead, stored
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ class PassStore:
         self._open_name = ""
         self._latest: dict[str, tuple[int, datetime | None]] = {}
         """The last pass of each target since this program began, and when it ended."""
-        self._early: list[Remarked] = []
+        self._early: list[PassRemarked] = []
 
     def write(self, items: Sequence[Item]) -> None:
         """Write some items. StoreError or sqlite3.Error if that can't be; then nothing of them is written."""
@@ -51,20 +51,20 @@ class PassStore:
             raise
 
     def _write(self, connection: sqlite3.Connection, item: Item) -> None:
-        if isinstance(item, Began):
+        if isinstance(item, PassBegan):
             self._begin(connection, item)
-        elif isinstance(item, Told):
+        elif isinstance(item, PassTold):
             names = ", ".join(f"{name} = ?" for name in HEAD if name != "elements_epoch")
             values = [value for name, value in _row(item.head) if name != "elements_epoch"]
             connection.execute(f"UPDATE pass SET {names} WHERE id = ?", (*values, self._open))  # noqa: S608 - our own names
-        elif isinstance(item, Looked):
+        elif isinstance(item, PassLooked):
             marks = ", ".join("?" * (len(SAMPLE) + 1))
             values = [stored(getattr(item.sample, name)) for name in SAMPLE]
             connection.execute(
                 f"INSERT INTO pass_sample (pass, {', '.join(SAMPLE)}) VALUES ({marks})",  # noqa: S608 - our own names
                 (self._open, *values),
             )
-        elif isinstance(item, Ended):
+        elif isinstance(item, PassEnded):
             connection.execute(
                 "UPDATE pass SET ended = ?, outcome = ?, latency_s = coalesce(?, latency_s) WHERE id = ?",
                 (stored(item.utc), item.outcome, item.latency_s, self._open),
@@ -74,7 +74,7 @@ class PassStore:
         else:
             self._remark(connection, item)
 
-    def _begin(self, connection: sqlite3.Connection, item: Began) -> None:
+    def _begin(self, connection: sqlite3.Connection, item: PassBegan) -> None:
         row = [*_row(item.head), ("csv", item.csv)]
         names, marks = ", ".join(name for name, _ in row), ", ".join("?" * len(row))
         cursor = connection.execute(
@@ -87,7 +87,7 @@ class PassStore:
         for each in waiting:
             self._remark(connection, each)
 
-    def _remark(self, connection: sqlite3.Connection, item: Remarked) -> None:
+    def _remark(self, connection: sqlite3.Connection, item: PassRemarked) -> None:
         number, ended = self._latest.get(item.name, (None, None))
         if number is None or (ended is not None and item.utc - ended > AFTERWARDS):
             self._early = [*self._early, item][-MOST_EARLY_REMARKS:]

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.pass_csv import PassCsv
-from birdcage.pursuit.pass_log_items import Began, Ended, Item, Looked
+from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked
 from birdcage.pursuit.pass_log_store import PassStore
 from birdcage.pursuit.pass_record import PassSample
 
@@ -47,7 +47,7 @@ class PassLogWork:
 
     def _filed(self, item: Item) -> Item:
         """Do with an item what there is to do for the file of its pass."""
-        if isinstance(item, Began):
+        if isinstance(item, PassBegan):
             head = item.head
             if self._epoch_of is not None and head.norad_id is not None:
                 try:
@@ -60,10 +60,10 @@ class PassLogWork:
                 self._file = PassCsv(self._folder, head)
             except OSError as error:
                 self._file_problem = _no_file(self._folder, error)
-            return Began(head, None if self._file is None else str(self._file.path))
-        if isinstance(item, Looked) and self._file is not None:
+            return PassBegan(head, None if self._file is None else str(self._file.path))
+        if isinstance(item, PassLooked) and self._file is not None:
             self._to_file.append(item.sample)
-        if isinstance(item, Ended):
+        if isinstance(item, PassEnded):
             self._close_file()
         return item
 
@@ -98,7 +98,7 @@ class PassLogWork:
             self._store_problem = f"Passes are not being kept in the journal: {error}"
             # The beginning of a pass is what all the rest hangs on: the oldest samples go first.
             while len(self._to_store) > MOST_HELD_BACK:
-                oldest = next((at for at, each in enumerate(self._to_store) if isinstance(each, Looked)), 0)
+                oldest = next((at for at, each in enumerate(self._to_store) if isinstance(each, PassLooked)), 0)
                 del self._to_store[oldest]
                 self._lost += 1
         else:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from birdcage.pursuit.follower import told_reach_end
 
 if TYPE_CHECKING:
-    from birdcage.station.pursuit import Pursuit
+    from birdcage.station.pursuit_state import Pursuit
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.follower import Post
-from birdcage.station.pursuit import PursuitOptions
+from birdcage.station.pursuit_state import PursuitOptions
 
 if TYPE_CHECKING:
     from birdcage.tracking.mount import Mount

@@ -23,25 +23,25 @@ from typing import TYPE_CHECKING
 
 from birdcage.pursuit.now import Scheduled
 from birdcage.pursuit.schedule_choice import Value, best_chain
-from birdcage.pursuit.schedule_model import Candidate, Direction, Kept, Slew
+from birdcage.pursuit.schedule_model import Direction, KeptPass, ScheduleCandidate, Slew
 from birdcage.pursuit.schedule_piece import Piece, Turning, pieces_in, whole
 from birdcage.pursuit.schedule_words import below_minima, cut_short, left_out, overlapped
 
 if TYPE_CHECKING:
     from birdcage.base.config.tracking_sections import AutotrackSettings
 
-__all__ = ["Candidate", "Direction", "Kept", "Scheduled", "Slew", "schedule"]
+__all__ = ["Direction", "KeptPass", "ScheduleCandidate", "Scheduled", "Slew", "schedule"]
 
 SAME_PASS = timedelta(minutes=15)
 """By how much newer elements may shift a pass that is still the same one."""
 
 
 def schedule(
-    candidates: Sequence[Candidate],
+    candidates: Sequence[ScheduleCandidate],
     rules: AutotrackSettings,
     slew_s: Slew | float,
     now: datetime,
-    present: Kept | None = None,
+    present: KeptPass | None = None,
 ) -> tuple[Scheduled, ...]:
     """Choose among passes; the result has each that comes within reach in the next `rules.hours`, in order of time.
 
@@ -95,7 +95,7 @@ def _value(piece: Piece, bonus: timedelta) -> Value:
     return (piece.followed + bonus) // timedelta(microseconds=1), round(piece.best_el_deg * 1000.0)
 
 
-def _found(pieces: Sequence[Piece], present: Kept | None) -> Piece | None:
+def _found(pieces: Sequence[Piece], present: KeptPass | None) -> Piece | None:
     """Return the piece that is the present pass, maybe by newer elements."""
     if present is None:
         return None

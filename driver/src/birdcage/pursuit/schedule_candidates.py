@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 from functools import partial
 from typing import TYPE_CHECKING
 
-from birdcage.pursuit.schedule_model import Candidate, Direction, Slew
+from birdcage.pursuit.schedule_model import Direction, ScheduleCandidate, Slew
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -28,7 +28,7 @@ UNKNOWN_SLEW_S = 60.0
 def find_candidates(
     watched: Watched, observer: Observer, limits: ReachLimits, now: datetime, hours: float,
     downlinks: Path | None = None,
-) -> list[Candidate]:  # fmt: skip
+) -> list[ScheduleCandidate]:  # fmt: skip
     """Return every pass of the favourites among some satellites that is not over, also those that are never in reach.
 
     They reach a day ahead at least: `schedule` takes those of the hours that it is given. What stays up all the time,
@@ -52,7 +52,7 @@ def find_candidates(
     table = search(Fleet(chosen.elements), observer, begin, span, 0.0, chosen.time_offsets)
     which = np.flatnonzero((table.los_s > now.timestamp()) & ~(table.already_up & table.still_up))
     return [
-        Candidate(
+        ScheduleCandidate(
             row.passing,
             row.reach,
             row.priority,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from birdcage.pursuit.now import Scheduled
     from birdcage.sky.passes.model import Pass
-    from birdcage.sky.reach_model import Reach
+    from birdcage.sky.reach_model import PassReach
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +26,11 @@ Slew = Callable[[Direction, Direction], float]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Candidate:
+class ScheduleCandidate:
     """A pass of a favourite."""
 
     passing: Pass
-    reach: Reach
+    reach: PassReach
     priority: int
     where: Callable[[datetime], Direction]
     """Where the satellite stands at a time of the pass."""
@@ -39,7 +39,7 @@ class Candidate:
 
 
 @dataclass(frozen=True, slots=True)
-class Kept:
+class KeptPass:
     """What the schedule in force says of the pass that is followed, or comes next."""
 
     scheduled: Scheduled

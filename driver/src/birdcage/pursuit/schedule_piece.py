@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 
-from birdcage.pursuit.schedule_model import Candidate, Direction, Slew
+from birdcage.pursuit.schedule_model import Direction, ScheduleCandidate, Slew
 
 _MARGIN = timedelta(seconds=0.01)
 """Added to the guesses of when the dish is there, more each time: the satellite moves, and guessing must end."""
@@ -17,7 +17,7 @@ _GUESSES = 100
 class Piece:
     """A pass from one moment within reach to another."""
 
-    candidate: Candidate
+    candidate: ScheduleCandidate
     start: datetime
     end: datetime
     followed: timedelta
@@ -74,7 +74,7 @@ class Piece:
         )  # fmt: skip
 
 
-def whole(candidate: Candidate, now: datetime) -> Piece | None:
+def whole(candidate: ScheduleCandidate, now: datetime) -> Piece | None:
     """Return all that can still be followed of a pass; None if it is over, or never comes within reach."""
     stretches = candidate.reach.intervals
     if not stretches or stretches[-1].end <= now:
@@ -89,7 +89,7 @@ def whole(candidate: Candidate, now: datetime) -> Piece | None:
     return None if rest is None else replace(rest, begun=True)
 
 
-def _highest(candidate: Candidate, inside: Sequence[tuple[datetime, datetime]]) -> float:
+def _highest(candidate: ScheduleCandidate, inside: Sequence[tuple[datetime, datetime]]) -> float:
     """Return the highest elevation of some stretches: at the top of the pass, or as near to it as they come."""
     top = max(candidate.where(min(max(candidate.passing.tca, low), high)).el_deg for low, high in inside)
     best = candidate.reach.best_el_deg
@@ -138,12 +138,12 @@ class Turning:
             at = leave - guess * _MARGIN
         return None
 
-    def _time(self, one: Candidate, left: datetime, other: Candidate, reached: datetime) -> timedelta:
+    def _time(self, one: ScheduleCandidate, left: datetime, other: ScheduleCandidate, reached: datetime) -> timedelta:
         if not callable(self._slew_s):
             return timedelta(seconds=self._slew_s)
         return timedelta(seconds=self._slew_s(self._where(one, left), self._where(other, reached)))
 
-    def _where(self, candidate: Candidate, at: datetime) -> Direction:
+    def _where(self, candidate: ScheduleCandidate, at: datetime) -> Direction:
         key = (id(candidate), at)
         if key not in self._seen:
             self._seen[key] = candidate.where(at)

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from birdcage.pursuit.follower import told_reach_end
 from birdcage.pursuit.now import Resumable
-from birdcage.station.pursuit import Phase, Pursuit
+from birdcage.station.pursuit_state import Phase, Pursuit
 
 if TYPE_CHECKING:
-    from birdcage.pursuit.choice import Choice
+    from birdcage.pursuit.chosen_target import ChosenTarget
     from birdcage.pursuit.now import Scheduled
     from birdcage.tracking.plan import Plan
 
@@ -20,17 +20,17 @@ ASIDE = frozenset({Phase.YIELDED, Phase.INTERRUPTED})
 
 
 @dataclass(slots=True)
-class Stopped:
+class StoppedPursuit:
     """For the desk's thread alone."""
 
-    choice: Choice | None = None
+    choice: ChosenTarget | None = None
     plan: Plan | None = None
     autotrack: bool = False
     """Whether STOP has switched autotrack off."""
     row: Scheduled | None = None
     """The pass that autotrack had asked for."""
 
-    def by_stop(self, choice: Choice, plan: Plan) -> None:
+    def by_stop(self, choice: ChosenTarget, plan: Plan) -> None:
         """Note what STOP has ended."""
         self.choice, self.plan = choice, plan
 

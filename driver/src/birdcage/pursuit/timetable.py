@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
     from pathlib import Path
 
-    from birdcage.pursuit.schedule_model import Candidate, Kept
-    from birdcage.sky.catalogue import Entry
+    from birdcage.pursuit.schedule_model import KeptPass, ScheduleCandidate
+    from birdcage.sky.catalogue import CatalogueEntry
 
 FIND_EVERY = timedelta(minutes=30)
 CHOOSE_EVERY = timedelta(minutes=1)
@@ -26,12 +26,12 @@ class Timetable:
         self._downlinks = downlinks
         self.rows: tuple[Scheduled, ...] = ()
         """In order of time: those that are kept, and those that are not."""
-        self._candidates: Sequence[Candidate] = ()
+        self._candidates: Sequence[ScheduleCandidate] = ()
         self._key: tuple[object, ...] | None = None
         self._found_at: datetime | None = None
         self._chosen_at: datetime | None = None
 
-    def refresh(self, favourites: Sequence[Entry], at: Circumstances, present: Kept | None) -> bool:
+    def refresh(self, favourites: Sequence[CatalogueEntry], at: Circumstances, present: KeptPass | None) -> bool:
         """Look for passes and choose among them where that is due; return whether there are other rows."""
         from birdcage.pursuit.schedule import schedule
         from birdcage.pursuit.schedule_candidates import find_candidates, slewing

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from birdcage.base.clock import Clock, Outcome
+from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.errors import LinkError
 from birdcage.base.wake import Wake
 from birdcage.link.link import Link
 from birdcage.link.opening import is_registered, open_link
 from birdcage.radio.address import parse_address
 from birdcage.radio.errors import RadioLost
-from birdcage.radio.wire import HURRY_S, Call, Connect, Wire, connector
+from birdcage.radio.wire import HURRY_S, Call, Connect, RadioWire, connector
 
 NO_BAUD = 0
 """What is registered and simulated has no rate."""
@@ -27,7 +27,7 @@ def caller(address: str, clock: Clock, hurry: Wake | None = None, connect: Conne
     return f"{host}:{port}", lambda timeout_s: chosen(host, port, timeout_s)
 
 
-def _open(address: str, clock: Clock, hurry: Wake | None) -> Wire:
+def _open(address: str, clock: Clock, hurry: Wake | None) -> RadioWire:
     try:
         return LinkWire(open_link(address, baud=NO_BAUD, clock=clock), clock, hurry)
     except LinkError as error:
@@ -54,9 +54,9 @@ class LinkWire:
         until = self._clock.monotonic() + (min(timeout_s, HURRY_S) if hurried else timeout_s)
         try:
             outcome = self._clock.wait(self._link, until, wake)
-            if outcome is Outcome.INTERRUPTED:
+            if outcome is WaitOutcome.INTERRUPTED:
                 return self.receive(timeout_s)
-            return self._link.read() if outcome is Outcome.READY else b""
+            return self._link.read() if outcome is WaitOutcome.READY else b""
         except LinkError as error:
             raise RadioLost(str(error), reason="closed") from error
 

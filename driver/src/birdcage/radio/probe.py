@@ -9,7 +9,7 @@ from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.opening import caller
-from birdcage.radio.rigctl import Rig
+from birdcage.radio.rigctl import RigctlClient
 
 TAKEN = 0
 """The code behind RPRT of what was done."""
@@ -18,7 +18,7 @@ TRIAL_S = 2.0
 
 
 @dataclass(frozen=True, slots=True)
-class Answers:
+class ReceiverAnswers:
     """What a receiver told. None is what it refused, or was not asked."""
 
     frequency_hz: float | None = None
@@ -35,7 +35,7 @@ class Answers:
         return {"DSB", "RAW"} <= set(self.modes) and "OFF" not in self.modes
 
 
-def ask_receiver(address: str, timeout_s: float = 1.0, *, try_recording: bool = False) -> Answers:
+def ask_receiver(address: str, timeout_s: float = 1.0, *, try_recording: bool = False) -> ReceiverAnswers:
     """Ask the receiver at `address` for frequency, level and modes; each answer has `timeout_s`.
 
     `try_recording` tells it AOS and, after 2 s, LOS: it records if that is armed, and ends what it recorded before.
@@ -44,12 +44,12 @@ def ask_receiver(address: str, timeout_s: float = 1.0, *, try_recording: bool = 
     """
     clock = RealClock()
     where, call = caller(address, clock)
-    told: list[Answers] = []
+    told: list[ReceiverAnswers] = []
     failed: list[BirdcageError] = []
 
     def ask() -> None:
         try:
-            rig = Rig(call(timeout_s), clock.monotonic, reply_s=timeout_s)
+            rig = RigctlClient(call(timeout_s), clock.monotonic, reply_s=timeout_s)
             try:
                 told.append(_frequency(rig))
                 told.append(_level(rig, told[-1]))
@@ -71,29 +71,29 @@ def ask_receiver(address: str, timeout_s: float = 1.0, *, try_recording: bool = 
     raise failed[0] if failed else RadioLost(f"{where} has not answered within {longest_s:g} s.")
 
 
-def _frequency(rig: Rig) -> Answers:
+def _frequency(rig: RigctlClient) -> ReceiverAnswers:
     try:
-        return Answers(frequency_hz=rig.frequency_hz())
+        return ReceiverAnswers(frequency_hz=rig.frequency_hz())
     except RadioRefused:
-        return Answers()
+        return ReceiverAnswers()
 
 
-def _level(rig: Rig, before: Answers) -> Answers:
+def _level(rig: RigctlClient, before: ReceiverAnswers) -> ReceiverAnswers:
     try:
         return replace(before, level_db=rig.strength_db())
     except RadioRefused as refused:
         return replace(before, level_code=refused.code)
 
 
-def _modes(rig: Rig, before: Answers) -> Answers:
+def _modes(rig: RigctlClient, before: ReceiverAnswers) -> ReceiverAnswers:
     try:
         return replace(before, modes=rig.modes())
     except RadioRefused:
         return before
 
 
-def _recording(rig: Rig, clock: Clock, before: Answers) -> Answers:
-    """Record for a moment. LOS is for whoever took AOS (`Rig.word`)."""
+def _recording(rig: RigctlClient, clock: Clock, before: ReceiverAnswers) -> ReceiverAnswers:
+    """Record for a moment. LOS is for whoever took AOS (`RigctlClient.word`)."""
     try:
         rig.word("AOS")
     except RadioRefused as refused:

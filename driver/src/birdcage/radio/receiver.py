@@ -13,7 +13,7 @@ from birdcage.radio import peer
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.now import RadioNow, RadioState
 from birdcage.radio.recorder import Recorder
-from birdcage.radio.rigctl import Rig
+from birdcage.radio.rigctl import RigctlClient
 from birdcage.radio.tuning import Tuning
 from birdcage.radio.wire import CONNECT_S, HURRY_S, Call
 
@@ -39,7 +39,7 @@ class Receiver:
         self._settings, self._clock, self._publish = settings, clock, publish
         self._connect = call
         self._recorder = Recorder()
-        self._rig: Rig | None = None
+        self._rig: RigctlClient | None = None
         self._failures = 0
         self._call_at = self._tune_at = self._look_at = -math.inf
         self._tuned_hz: int | None = None
@@ -130,7 +130,7 @@ class Receiver:
         heard = True
         try:
             if self._rig is None and self._recorder.owed is not None:
-                self._rig = Rig(self._connect(HURRY_S), self._clock.monotonic, reply_s=HURRY_S)
+                self._rig = RigctlClient(self._connect(HURRY_S), self._clock.monotonic, reply_s=HURRY_S)
             if self._rig is not None:
                 self._recorder.end(self._rig)
         except RadioLost:
@@ -159,7 +159,7 @@ class Receiver:
         self._put(RadioNow(RadioState.CONNECTING, self._where, name, downlink_hz,
                            sentence=self.now.sentence, recording=self._recorder.recording))  # fmt: skip
         try:
-            self._rig = Rig(self._connect(CONNECT_S), self._clock.monotonic)
+            self._rig = RigctlClient(self._connect(CONNECT_S), self._clock.monotonic)
             read_back_hz = _or_none(self._rig.frequency_hz)
         except RadioLost as error:
             self._lost(error, first=self._rig is not None)
@@ -169,7 +169,7 @@ class Receiver:
         self._show(read_back_hz=read_back_hz)
         return True
 
-    def _tune(self, rig: Rig, tuning: Tuning, at_s: float) -> None:
+    def _tune(self, rig: RigctlClient, tuning: Tuning, at_s: float) -> None:
         now = self._clock.monotonic()
         wanted_hz, shift_hz = tuning.wanted_hz(at_s)
         if now < self._tune_at or (
@@ -190,7 +190,7 @@ class Receiver:
         sentence = "" if self.now.state is not RadioState.TUNED else self.now.sentence
         self._show(state=RadioState.TUNED, tuned_hz=float(freq_hz), sentence=sentence, **told)
 
-    def _look(self, rig: Rig) -> None:
+    def _look(self, rig: RigctlClient) -> None:
         now = self._clock.monotonic()
         if now < self._look_at:
             return
@@ -203,7 +203,7 @@ class Receiver:
         if self.now.state is RadioState.TUNED:
             self._show(sentence=self._astray() or peer.remark(replace(self.now, recording=self._recorder.recording)))
 
-    def _read_strength(self, rig: Rig) -> None:
+    def _read_strength(self, rig: RigctlClient) -> None:
         asked_s, asked_at = self._clock.monotonic(), self._clock.utc()
         try:
             strength_db = rig.strength_db()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.radio.errors import RadioLost, RadioRefused
-from birdcage.radio.rigctl import Rig
+from birdcage.radio.rigctl import RigctlClient
 from birdcage.radio.tuning import Tuning
 
 TRIES = 2
@@ -33,7 +33,7 @@ class Recorder:
         """Note that AOS has to be told again: whoever was at the other end may have started anew."""
         self._told = False
 
-    def begin(self, rig: Rig, tuning: Tuning) -> None:
+    def begin(self, rig: RigctlClient, tuning: Tuning) -> None:
         """Tell AOS, once a connection. RadioLost where that cost the connection."""
         if self._told or self._deaf:
             return
@@ -52,7 +52,7 @@ class Recorder:
         else:
             self.owed, self.recording, self._told = tuning, True, True
 
-    def end(self, rig: Rig) -> None:
+    def end(self, rig: RigctlClient) -> None:
         """Tell LOS where it is owed. RadioLost if it may not have been heard."""
         if self.owed is None:
             return

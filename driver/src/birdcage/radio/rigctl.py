@@ -14,7 +14,7 @@ from typing import Literal
 
 from birdcage.base.text import clean
 from birdcage.radio.errors import RadioLost, RadioRefused
-from birdcage.radio.wire import Wire
+from birdcage.radio.wire import RadioWire
 
 REPLY_S = 2.0
 LONGEST = 4096
@@ -24,10 +24,10 @@ HEADER = re.compile(r"[a-z_]+:( .*)?")
 """How an extended answer begins: `get_freq:`, `set_freq: 137912500`."""
 
 
-class Rig:
+class RigctlClient:
     """One connection. After a RadioLost it is of no more use: close it and open another."""
 
-    def __init__(self, wire: Wire, monotonic: Callable[[], float], *, reply_s: float = REPLY_S) -> None:
+    def __init__(self, wire: RadioWire, monotonic: Callable[[], float], *, reply_s: float = REPLY_S) -> None:
         self._wire, self._monotonic, self._reply_s = wire, monotonic, reply_s
         self._buffer = b""
 

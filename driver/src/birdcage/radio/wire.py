@@ -15,7 +15,7 @@ HURRY_S = 0.2
 """The longest wait for an answer once the program is ending."""
 
 
-class Wire(Protocol):
+class RadioWire(Protocol):
     """An open connection. RadioLost (reason `closed`) when the other end has gone."""
 
     def send(self, data: bytes) -> None:
@@ -28,16 +28,16 @@ class Wire(Protocol):
         """Hang up."""
 
 
-Connect = Callable[[str, int, float], Wire]
+Connect = Callable[[str, int, float], RadioWire]
 """`connect(host, port, timeout_s)`. RadioLost (reason `missing`) when nothing listens there."""
-Call = Callable[[float], Wire]
+Call = Callable[[float], RadioWire]
 """The same for one address: `call(timeout_s)`."""
 
 
 def connector(hurry: Wake | None = None) -> Connect:
     """Return what opens sockets; once `hurry` is set none of them waits for long."""
 
-    def connect(host: str, port: int, timeout_s: float) -> Wire:
+    def connect(host: str, port: int, timeout_s: float) -> RadioWire:
         try:
             connection = socket.create_connection((host, port), timeout_s)
         except OSError as error:

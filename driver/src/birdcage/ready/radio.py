@@ -9,7 +9,7 @@ from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
-    from birdcage.radio.probe import Answers
+    from birdcage.radio.probe import ReceiverAnswers
 
 RADIO_S = 1.0
 TRY = "birdcage ready --try-recording"
@@ -53,7 +53,7 @@ def radio(settings: Settings, *, try_recording: bool) -> Iterator[Check]:
         yield _recording(answers)
 
 
-def _recording(answers: Answers) -> Check:
+def _recording(answers: ReceiverAnswers) -> Check:
     """Return what is known of recording: only a new file proves it."""
     code = answers.recording_code
     if code is None:

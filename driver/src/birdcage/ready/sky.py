@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from birdcage.base.paths import Paths
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
 
 OLD_DAYS = 3.0
 """From this median age on, low satellites are worth an update: the station is then 2° off."""
@@ -72,7 +72,7 @@ def _none() -> Check:
     return Check("elements", "elements", "must", "only the few old sets of birdcage", "birdcage elements update")
 
 
-def _favourite(entry: Entry, now: datetime) -> Check:
+def _favourite(entry: CatalogueEntry, now: datetime) -> Check:
     from birdcage.sky.age import expected_error
 
     found = expected_error(entry.elements, now)

@@ -17,7 +17,7 @@ from birdcage.rotator.wiring import Adapter, Connector
 MOST_AXES = 3
 
 
-class Turn(Enum):
+class CableTurn(Enum):
     """How well the turn of the cable is known (`docs/decisions/0027-remembered-turn.md`)."""
 
     REPORTED = "reported"
@@ -141,7 +141,7 @@ class Facts:
     skew: Axis | None = field(init=False, repr=False, compare=False)
     """The axis that turns the feed about the beam; None if there is none."""
     cable: CableRange | None
-    turn: Turn
+    turn: CableTurn
     second_same: SecondMove
     """What a second move does on the axis that moves."""
     second_other: SecondMove

@@ -32,7 +32,7 @@ def speed_of(axis: str) -> str:
     return f"speed.{axis}"
 
 
-class Kind(Enum):
+class FeatureKind(Enum):
     """What a value is."""
 
     NUMBER = "number"
@@ -96,7 +96,7 @@ class Feature:
     label: str
     unit: str = ""
     """Empty for what has none."""
-    kind: Kind = Kind.NUMBER
+    kind: FeatureKind = FeatureKind.NUMBER
     range: Range | None = None
     """Of a number; None if it is not known."""
     writer: Writer = Writer.NONE
@@ -109,7 +109,7 @@ class Feature:
     @property
     def is_readable(self) -> bool:
         """Whether the machine can be asked for it."""
-        return self.told and self.kind is not Kind.MOMENTARY
+        return self.told and self.kind is not FeatureKind.MOMENTARY
 
     @property
     def is_writable(self) -> bool:
@@ -118,15 +118,15 @@ class Feature:
 
     def check(self, value: Value) -> None:
         """Raise OutOfRange, which names number, limit and remedy, for a value that this can't be set to."""
-        if self.kind is Kind.MOMENTARY:
+        if self.kind is FeatureKind.MOMENTARY:
             if value is not True:
                 raise OutOfRange(f"{self.label} takes no value, and {value!r} was given. Nothing was sent.")
-        elif self.kind is Kind.SWITCH:
+        elif self.kind is FeatureKind.SWITCH:
             if not isinstance(value, bool):
                 raise OutOfRange(f"{self.label}: {value!r} is neither on nor off. Nothing was sent.")
-        elif self.kind is Kind.NUMBER:
+        elif self.kind is FeatureKind.NUMBER:
             self._check_number(value)
-        elif self.kind is Kind.TEXT and not (isinstance(value, str) and value.isprintable()):
+        elif self.kind is FeatureKind.TEXT and not (isinstance(value, str) and value.isprintable()):
             raise OutOfRange(f"{self.label}: {value!r} is no line of plain text. Nothing was sent.")
 
     def _check_number(self, value: Value) -> None:

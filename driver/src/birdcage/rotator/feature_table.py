@@ -13,7 +13,7 @@ from birdcage.rotator.feature import Feature, Reading, Value, by_id
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class FeatureRow:
     """One feature, and how the machine is asked for it. What is called gets the machine itself."""
 
     feature: Feature
@@ -29,7 +29,7 @@ class Row:
 class FeatureTable:
     """All rows of a machine. ValueError where two have the same id, or one lacks the call for what it can do."""
 
-    def __init__(self, *rows: Row) -> None:
+    def __init__(self, *rows: FeatureRow) -> None:
         self.features = by_id(row.feature for row in rows)
         self._rows = {row.feature.id: row for row in rows}
         for name, row in self._rows.items():
@@ -66,7 +66,7 @@ class FeatureTable:
         return stamp(value, self._rows[feature].feature.unit)
 
 
-def _check_calls(name: str, row: Row) -> None:
+def _check_calls(name: str, row: FeatureRow) -> None:
     """Raise ValueError where a row can't be asked for, or written, as its feature says."""
     feature = row.feature
     if feature.is_readable and row.read is None:

@@ -11,13 +11,13 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.raw import RawLines
-from birdcage.rotator.rotator import Line
+from birdcage.rotator.rotator import LineStatus
 from birdcage.rotator.values import Survey
 
 
 @dataclass(slots=True)
 class PlainLine:
-    """A `Line` whose figures its machine keeps."""
+    """A `LineStatus` whose figures its machine keeps."""
 
     delay_s: float = 2.0
     place: str | None = None
@@ -49,7 +49,7 @@ class PlainRotator:
     feature_table: FeatureTable = FeatureTable()
     """What it tells and lets be set; its facts have the same (`features=TABLE.features`)."""
     clock: Clock
-    line: Line
+    line: LineStatus
     raw: RawLines | None = None
     is_simulated = False
     printed_deg = 0.01

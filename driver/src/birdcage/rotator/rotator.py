@@ -15,7 +15,7 @@ from birdcage.rotator.raw import RawLines
 from birdcage.rotator.values import Look, Survey, Taken
 
 
-class Line(Protocol):
+class LineStatus(Protocol):
     """How the line to a machine fares. Any thread; sends nothing."""
 
     @property
@@ -80,7 +80,7 @@ class Rotator(Protocol):
         """The clock of the line; LinkError while there is none."""
 
     @property
-    def line(self) -> Line:
+    def line(self) -> LineStatus:
         """How the line fares; LinkError while there is none."""
 
     @property

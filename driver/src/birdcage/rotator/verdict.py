@@ -19,7 +19,7 @@ class Grade(IntEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Aim:
+class RawAim:
     """Where a raw line sends the dish, in its own frame."""
 
     angles_deg: Mapping[int, float]
@@ -48,7 +48,7 @@ class Verdict:
     """What no longer holds afterwards: of `position`, `turn`, `homed`, `limits`, `search`, `settings`."""
     limit: str = ""
     """Which limit a raw motion would break and by how much, as a sentence; empty when none, or not a motion."""
-    aim: Aim | None = None
+    aim: RawAim | None = None
     """Where the line sends the dish, when that can be read off it."""
     listed: bool = True
     """Whether the table knows the line."""

@@ -10,16 +10,16 @@ from birdcage.detection.probe import Saw
 from birdcage.setup import wire_causes as wire
 from birdcage.setup.case import Case, Cause, describe
 from birdcage.station.known import Hindrance
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 __all__ = ["Case", "Cause", "describe", "find_causes"]
 
 
 def find_causes(case: Case) -> tuple[Cause, ...]:
     """Return what may be wrong, the likely ones first, else in the order in which to look; nothing while it is up."""
-    if case.link.state is Link.UP:
+    if case.link.state is LinkPhase.UP:
         return ()
-    found = [*_of_the_system(case), *_of_the_port(case)] if case.link.state is Link.LOST else _of_the_wire(case)
+    found = [*_of_the_system(case), *_of_the_port(case)] if case.link.state is LinkPhase.LOST else _of_the_wire(case)
     return tuple(sorted(found, key=lambda cause: not cause.likely))
 
 
@@ -68,7 +68,7 @@ def _meddles(hindrance: Hindrance, case: Case) -> bool:
         case "modemmanager":
             return any("AT" in each.sample for each in case.findings if each.saw is Saw.TEXT)
         case "brltty":
-            return case.link.state is Link.LOST and not case.ports
+            return case.link.state is LinkPhase.LOST and not case.ports
     return True
 
 

@@ -7,8 +7,8 @@ from types import MappingProxyType
 
 from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
-from birdcage.setup.bench import Bench
 from birdcage.setup.case import Cause
+from birdcage.setup.context import SetupContext
 from birdcage.setup.receiver import AskReceiver, ask_receiver
 from birdcage.setup.step import NAMES, AreaNotClear, Choice, Mark, NoSuchChoice, StepView
 from birdcage.setup.steps.base import Step
@@ -61,7 +61,7 @@ class Setup:
         ports: Callable[[], list[PortInfo]] = list_ports, system: Callable[[str], SystemFacts] = look_at_system,
         receiver: AskReceiver = ask_receiver,
     ) -> None:  # fmt: skip
-        self._bench = Bench(
+        self._bench = SetupContext(
             session,
             settings,
             paths,

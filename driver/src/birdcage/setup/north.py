@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from birdcage.base.config import PlaceSettings
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import shortest_turn
-from birdcage.setup.bench import Bench
+from birdcage.setup.context import SetupContext
 from birdcage.setup.steps.base import Step
 from birdcage.sky.magnetic import declination_deg
 from birdcage.sky.sun import sun
@@ -32,7 +32,7 @@ def az_offset_deg(true_az_deg: float, dish_az_deg: float) -> float:
     return round(shortest_turn(dish_az_deg, true_az_deg), 2) + 0.0
 
 
-def sun_now(bench: Bench) -> tuple[float, float]:
+def sun_now(bench: SetupContext) -> tuple[float, float]:
     """Return the Sun's true azimuth and elevation now. NotYet while the place is unknown."""
     place = bench.settings.place
     if place.latitude_deg is None or place.longitude_deg is None:
@@ -40,7 +40,7 @@ def sun_now(bench: Bench) -> tuple[float, float]:
     return sun(bench.utc, place.latitude_deg, place.longitude_deg)
 
 
-def usable_sun(bench: Bench) -> tuple[float, float]:
+def usable_sun(bench: SetupContext) -> tuple[float, float]:
     """Return the Sun as a mark to measure by. NotYet: place or clock unknown, or the Sun below the dish's floor."""
     az_deg, el_deg = sun_now(bench)
     offset_s = bench.settings.setup.clock_offset_s
@@ -60,7 +60,7 @@ def usable_sun(bench: Bench) -> tuple[float, float]:
     return az_deg, el_deg
 
 
-def resting_position(bench: Bench) -> Pointing:
+def resting_position(bench: SetupContext) -> Pointing:
     """Return where the dish stands. NotYet: not known, not read just now, or it moves."""
     position = bench.position
     if position is None:
@@ -71,7 +71,7 @@ def resting_position(bench: Bench) -> Pointing:
     return position
 
 
-def declination(bench: Bench) -> float | None:
+def declination(bench: SetupContext) -> float | None:
     """Return the magnetic declination of the place, as typed or by the model; None when it is not known."""
     place: PlaceSettings = bench.settings.place
     if place.declination_deg is not None:

@@ -9,7 +9,7 @@ from dataclasses import replace
 from birdcage.signal.listeners import Listeners
 from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalReading
 from birdcage.station.events import Event, PursuitChanged, ReadingRead
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Unwatch, Watch
 from birdcage.station.station import Station
 from birdcage.station.watches import EXCURSION_PERIOD_S, RSSI_READS

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from birdcage.sim.gear import Gear
-from birdcage.sim.motion import Motion, at_rest, plan, stopping_point
+from birdcage.sim.motion import MotionProfile, at_rest, plan, stopping_point
 
 OVERSHOOT_FORWARD_DEG = (0.01, 0.05)
 OVERSHOOT_BACK_DEG = (0.02, 0.06)
@@ -41,7 +41,7 @@ STALL_DWELL_S = 0.2
 """How long the motor pushes against the stop before the firmware believes it (assumed)."""
 
 
-class Axis:
+class AxisMechanics:
     """All times are seconds of dish time; all angles are degrees of this axis' own count."""
 
     def __init__(self, data: AxisData, position_deg: float, rng: random.Random) -> None:
@@ -61,10 +61,10 @@ class Axis:
         """Told when a motion is ordered that a blocked shaft does not let begin."""
         self._slips = False
         self._rng = rng
-        self._count: list[Motion] = [at_rest(0.0, position_deg)]
+        self._count: list[MotionProfile] = [at_rest(0.0, position_deg)]
         self._target_deg: float | None = None
         self._gear = Gear(data.low_deg, data.high_deg, data.backlash_deg, position_deg)
-        self._shaft: list[Motion] | None = None
+        self._shaft: list[MotionProfile] | None = None
         self._worn = (0.0, 0.0)
         self._worn_at_s = -math.inf
 
@@ -234,7 +234,7 @@ class Axis:
         self._gear.place(count_deg, shaft_deg)
 
 
-def _along(motions: list[Motion], now_s: float) -> tuple[float, float]:
+def _along(motions: list[MotionProfile], now_s: float) -> tuple[float, float]:
     for motion in motions:
         if now_s < motion.end_s:
             return motion.at(now_s)

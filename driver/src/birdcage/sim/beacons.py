@@ -28,7 +28,7 @@ NUMBERS = (4, 5)
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class BeaconHeard:
     """A beacon at one moment."""
 
     az_deg: float
@@ -45,9 +45,9 @@ class Beacon:
     name: str
     frequency_hz: float
     times_s: tuple[float, ...]
-    rows: tuple[Heard, ...]
+    rows: tuple[BeaconHeard, ...]
 
-    def at(self, time_s: float) -> Heard | None:
+    def at(self, time_s: float) -> BeaconHeard | None:
         """Return it at that time; None if it is not up."""
         after = bisect.bisect_left(self.times_s, time_s)
         if after < len(self.rows) and self.times_s[after] == time_s:
@@ -58,13 +58,13 @@ class Beacon:
         return _between(self.rows[after - 1], self.rows[after], (time_s - before_s) / (after_s - before_s))
 
 
-def _between(one: Heard, other: Heard, part: float) -> Heard:
+def _between(one: BeaconHeard, other: BeaconHeard, part: float) -> BeaconHeard:
     """Return what lies between: the direction as a vector, since azimuths run away near the zenith."""
     east, north, up = (
         a + (b - a) * part
         for a, b in zip(_vector(one.az_deg, one.el_deg), _vector(other.az_deg, other.el_deg), strict=True)
     )
-    return Heard(
+    return BeaconHeard(
         wrap_360(math.degrees(math.atan2(east, north))),
         math.degrees(math.atan2(up, math.hypot(east, north))),
         one.level_db + (other.level_db - one.level_db) * part,
@@ -104,7 +104,7 @@ def _beacon(data: object, where: str) -> Beacon:
     times_s = tuple(row[0] for row in rows)
     if any(later <= earlier for earlier, later in itertools.pairwise(times_s)):
         raise ValueError(f"{where}: its rows are not in the order of time")
-    heard = tuple(Heard(az, el, level, frequency_hz + shift) for _, az, el, level, shift in rows)
+    heard = tuple(BeaconHeard(az, el, level, frequency_hz + shift) for _, az, el, level, shift in rows)
     return Beacon(str(data.get("name", "")), frequency_hz, times_s, heard)
 
 

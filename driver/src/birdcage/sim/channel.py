@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Protocol
 
 
-class Channel(Protocol):
+class ClientChannel(Protocol):
     """One client at a time. All methods return at once."""
 
     path: str

@@ -7,19 +7,19 @@ from collections import deque
 from collections.abc import Callable
 
 from birdcage.base.clock import Clock
-from birdcage.sim.dish import Truth
-from birdcage.sim.firmware import Firmware, Host
+from birdcage.sim.dish import DishTruth
+from birdcage.sim.firmware import Firmware, FirmwareHost
 from birdcage.sim.machine import Machine
-from birdcage.sim.settings import Settings
-from birdcage.sim.shell import Shell
+from birdcage.sim.settings import SimSettings
+from birdcage.sim.shell import ConsoleShell
 from birdcage.sim.stance import Stance
-from birdcage.sim.wire import Wire
+from birdcage.sim.wire import SimWire
 
 
 class Device:
     """One dish. Every method may be called from any thread; each brings the dish up to date first."""
 
-    def __init__(self, settings: Settings, clock: Clock, build: Callable[[Host], Firmware]) -> None:
+    def __init__(self, settings: SimSettings, clock: Clock, build: Callable[[FirmwareHost], Firmware]) -> None:
         self.settings = settings
         self.lock = threading.RLock()
         self.machine = Machine(clock)
@@ -32,14 +32,14 @@ class Device:
         self.board = self.firmware.board
         self.dish = self.firmware.dish
         self.stance = Stance(settings)
-        self.wire = Wire(settings, self.firmware.baud)
-        self.shell = Shell(self.machine, settings, self.firmware.menus, self._send, self._echo)
+        self.wire = SimWire(settings, self.firmware.baud)
+        self.shell = ConsoleShell(self.machine, settings, self.firmware.menus, self._send, self._echo)
         if settings.boot:
             self.shell.play(self.firmware.boot())
         else:
             self.firmware.resume()
 
-    def truth(self) -> Truth:
+    def truth(self) -> DishTruth:
         """Return what the dish really does at this moment."""
         with self.lock:
             self.machine.run()

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from birdcage.base.geometry import wrap_360
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.stance import Stance
 
 
 @dataclass(frozen=True, slots=True)
-class Truth:
+class DishTruth:
     """What the dish really does, whatever its console says."""
 
     az_deg: float
@@ -38,14 +38,14 @@ class Truth:
     """True elevation of the beam."""
 
 
-class Dish:
+class DishMechanics:
     """Azimuth, elevation, and perhaps skew, in this order. All times are seconds of dish time."""
 
-    def __init__(self, axes: tuple[Axis, ...], look: Callable[[], Truth]) -> None:
+    def __init__(self, axes: tuple[AxisMechanics, ...], look: Callable[[], DishTruth]) -> None:
         self.axes = axes
         self._look = look
 
-    def truth(self) -> Truth:
+    def truth(self) -> DishTruth:
         """Return what the dish really does at this moment."""
         return self._look()
 
@@ -57,12 +57,12 @@ class Dish:
         """Whether any motor turns."""
         return any(axis.moving(now_s) for axis in self.axes)
 
-    def look(self, now_s: float, stance: Stance, *, shell_alive: bool, powered: bool, menu: str) -> Truth:
+    def look(self, now_s: float, stance: Stance, *, shell_alive: bool, powered: bool, menu: str) -> DishTruth:
         """Put the truth together."""
         az, el = self.axes[:2]
         az_deg, el_deg = self.shafts(now_s)
         beam_az_deg, beam_el_deg = stance.beam(az_deg, el_deg)
-        return Truth(
+        return DishTruth(
             az_deg=az_deg,
             el_deg=el_deg,
             skew_deg=self.axes[2].shaft(now_s) if len(self.axes) > 2 else None,

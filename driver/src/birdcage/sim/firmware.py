@@ -5,20 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Protocol
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.dish import Dish, Truth
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.dish import DishMechanics, DishTruth
 from birdcage.sim.machine import Machine
-from birdcage.sim.shell import Menu, Script, Shell
+from birdcage.sim.shell import ConsoleShell, Menu, Script
 
 
-class Host(Protocol):
+class FirmwareHost(Protocol):
     """The device that a firmware runs in."""
 
     machine: Machine
-    shell: Shell
+    shell: ConsoleShell
     """There once the firmware is built."""
 
-    def truth(self) -> Truth:
+    def truth(self) -> DishTruth:
         """Return what the dish really does at this moment."""
 
     def restart(self) -> None:
@@ -36,7 +36,7 @@ class Firmware(Protocol):
         """The rate at which it speaks."""
 
     @property
-    def dish(self) -> Dish:
+    def dish(self) -> DishMechanics:
         """The mechanics that it drives."""
 
     @property
@@ -55,5 +55,5 @@ class Firmware(Protocol):
     def boot(self, *, home: bool = True) -> Script:
         """Read its settings memory at once, and return the boot log; without `home` nothing moves by itself."""
 
-    def stalled(self, axis: Axis) -> None:
+    def stalled(self, axis: AxisMechanics) -> None:
         """Take note that a moving axis was blocked, and that the motor has stopped."""

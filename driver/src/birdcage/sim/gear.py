@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from birdcage.sim.motion import Motion
+from birdcage.sim.motion import MotionProfile
 
 
 class Gear:
@@ -18,12 +18,12 @@ class Gear:
         self.error_deg = 0.0
         """How far the shaft is from where the count would have it."""
 
-    def shaft(self, motions: Iterable[Motion], now_s: float) -> float:
+    def shaft(self, motions: Iterable[MotionProfile], now_s: float) -> float:
         """Return where the shaft is."""
         out, error = self._follow(motions, now_s)
         return out + error
 
-    def settle(self, motions: Iterable[Motion], now_s: float) -> None:
+    def settle(self, motions: Iterable[MotionProfile], now_s: float) -> None:
         """Go on from here: the motions until now are forgotten."""
         self.play_deg, self.error_deg = self._follow(motions, now_s)
 
@@ -31,7 +31,7 @@ class Gear:
         """Both stand still, here."""
         self.play_deg, self.error_deg = count_deg, shaft_deg - count_deg
 
-    def strike(self, motion: Motion) -> Motion | None:
+    def strike(self, motion: MotionProfile) -> MotionProfile | None:
         """Return the motion as it ends at a stop, in the units of the count; None when it reaches neither."""
         hits = []
         for direction, stop_deg in ((1, self.high_deg), (-1, self.low_deg)):
@@ -41,7 +41,7 @@ class Gear:
                 hits.append((when, where, direction))
         return motion.cut(*min(hits)) if hits else None
 
-    def _follow(self, motions: Iterable[Motion], now_s: float) -> tuple[float, float]:
+    def _follow(self, motions: Iterable[MotionProfile], now_s: float) -> tuple[float, float]:
         """Walk along: the shaft moves once the play is taken up, and steps beyond a stop are lost."""
         out, error = self.play_deg, self.error_deg
         for motion in motions:

@@ -14,7 +14,7 @@ TOUCH_DEG = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class MotionPhase:
     """A stretch of constant acceleration."""
 
     start_s: float
@@ -24,10 +24,10 @@ class Leg:
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class MotionProfile:
     """From where the axis was to where it comes to rest. Times are seconds of dish time."""
 
-    legs: tuple[Leg, ...]
+    legs: tuple[MotionPhase, ...]
     end_s: float
     rest_deg: float
     direction: int
@@ -74,9 +74,9 @@ class Motion:
                 return leg.start_s + after
         return None
 
-    def cut(self, time_s: float, position_deg: float, direction: int) -> Motion:
+    def cut(self, time_s: float, position_deg: float, direction: int) -> MotionProfile:
         """Return it as it ends when it runs into something."""
-        return Motion(tuple(leg for leg in self.legs if leg.start_s < time_s), time_s, position_deg, direction)
+        return MotionProfile(tuple(leg for leg in self.legs if leg.start_s < time_s), time_s, position_deg, direction)
 
     def travelled(self, from_s: float, to_s: float) -> tuple[float, float]:
         """Return how many degrees it turned, to and fro, and for how many seconds, between two instants."""
@@ -103,9 +103,9 @@ def _crossing(ahead_deg: float, rate_deg_s: float, accel_deg_s2: float) -> float
     return after if after >= 0.0 else None
 
 
-def at_rest(time_s: float, position_deg: float) -> Motion:
+def at_rest(time_s: float, position_deg: float) -> MotionProfile:
     """Return a motion that stands still."""
-    return Motion((), time_s, position_deg, 0)
+    return MotionProfile((), time_s, position_deg, 0)
 
 
 def stopping_point(position_deg: float, rate_deg_s: float, accel_deg_s2: float) -> float:
@@ -115,7 +115,7 @@ def stopping_point(position_deg: float, rate_deg_s: float, accel_deg_s2: float) 
 
 def plan(
     time_s: float, position_deg: float, rate_deg_s: float, target_deg: float, max_rate_deg_s: float, accel_deg_s2: float
-) -> Motion:
+) -> MotionProfile:
     """Plan the quickest motion to `target_deg` that changes its rate by `accel_deg_s2` only: no jumps in rate.
 
     An axis that cannot stop in time passes the target and comes back.
@@ -134,7 +134,7 @@ def plan(
         to_peak_deg = abs(peak * peak - rate * rate) / (2 * accel_deg_s2)
         to_rest_deg = peak * peak / (2 * accel_deg_s2)
         cruise_s = max(distance - to_peak_deg - to_rest_deg, 0.0) / peak
-    legs: list[Leg] = []
+    legs: list[MotionPhase] = []
     now, where = time_s, position_deg
     spans = (
         (abs(peak - rate) / accel_deg_s2, rate, math.copysign(accel_deg_s2, peak - rate)),
@@ -143,7 +143,7 @@ def plan(
     )
     for span_s, start_rate, accel in spans:
         if span_s > 0.0:
-            legs.append(Leg(now, where, start_rate * sign, accel * sign))
+            legs.append(MotionPhase(now, where, start_rate * sign, accel * sign))
             where += (start_rate + accel * span_s / 2) * span_s * sign
             now += span_s
-    return Motion(tuple(legs), now, target_deg, sign)
+    return MotionProfile(tuple(legs), now, target_deg, sign)

@@ -13,30 +13,30 @@ from birdcage.base.clock import Clock
 from birdcage.sim.carryout.firmware import CarryoutFirmware
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.device import Device
-from birdcage.sim.dish import Dish
-from birdcage.sim.firmware import Firmware, Host
+from birdcage.sim.dish import DishMechanics
+from birdcage.sim.firmware import Firmware, FirmwareHost
 from birdcage.sim.g2.firmware import G2Firmware
 from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.hal.firmware import Hal205Firmware
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.rig import Rig, RigSettings
+from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.sim.rig_port import RigPort
 from birdcage.sim.settings import AnySettings, parse_query
-from birdcage.sim.wire import Wire
+from birdcage.sim.wire import SimWire
 
 
 @dataclass(frozen=True, slots=True)
-class Kind(Generic[AnySettings]):
+class FirmwareKind(Generic[AnySettings]):
     """A firmware: the knobs that it has, and how it is built into a device."""
 
     settings: type[AnySettings]
-    build: Callable[[AnySettings, Host], Firmware]
+    build: Callable[[AnySettings, FirmwareHost], Firmware]
 
 
-FIRMWARE: dict[str, Kind[Any]] = {
-    "g2": Kind(G2Settings, G2Firmware),
-    "hal205": Kind(HalSettings, Hal205Firmware),
-    "carryout": Kind(CarryoutSettings, CarryoutFirmware),
+FIRMWARE: dict[str, FirmwareKind[Any]] = {
+    "g2": FirmwareKind(G2Settings, G2Firmware),
+    "hal205": FirmwareKind(HalSettings, Hal205Firmware),
+    "carryout": FirmwareKind(CarryoutSettings, CarryoutFirmware),
 }
 """Every simulated firmware by the name that follows `sim:`."""
 
@@ -64,12 +64,12 @@ class SimPort:
         self.read()  # what came while the port was closed is lost, as on a real one
 
     @property
-    def dish(self) -> Dish:
+    def dish(self) -> DishMechanics:
         """The simulated dish; `dish.truth()` tells what it really does."""
         return self.device.dish
 
     @property
-    def wire(self) -> Wire:
+    def wire(self) -> SimWire:
         """The faults of the wire."""
         return self.device.wire
 
@@ -189,6 +189,6 @@ def open_port(address: str, *, clock: Clock, baud: int | None = None) -> SimPort
     kind, _, query = address.partition("?")
     if kind == "rig":
         settings = parse_query(query, RigSettings)
-        return RigPort(Rig(settings, clock, lambda: find_device(settings.dish) if settings.dish else None))
+        return RigPort(SimReceiver(settings, clock, lambda: find_device(settings.dish) if settings.dish else None))
     device = open_device(address, clock=clock)
     return SimPort(device, f"sim:{address.partition('?')[0]}", baud=baud)

@@ -47,7 +47,7 @@ class RigSettings(Options):
     """Of the noise."""
 
 
-class Rig:
+class SimReceiver:
     """The receiver. Any thread may ask."""
 
     def __init__(self, settings: RigSettings, clock: Clock, dish: Callable[[], Device | None]) -> None:

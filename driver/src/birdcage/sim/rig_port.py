@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import threading
 
-from birdcage.sim.rig import Rig
+from birdcage.sim.rig import SimReceiver
 
 LONGEST_LINE = 4096
 
@@ -13,7 +13,7 @@ LONGEST_LINE = 4096
 class RigLines:
     """Bytes in, bytes out: one client's conversation."""
 
-    def __init__(self, rig: Rig) -> None:
+    def __init__(self, rig: SimReceiver) -> None:
         self._rig = rig
         self._left = b""
         self.over = False
@@ -40,7 +40,7 @@ class RigPort:
     demo = True
     name = "sim:rig"
 
-    def __init__(self, rig: Rig) -> None:
+    def __init__(self, rig: SimReceiver) -> None:
         self.rig = rig
         self._lines = RigLines(rig)
         self._inbox = b""

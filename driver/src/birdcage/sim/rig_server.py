@@ -5,14 +5,14 @@ from __future__ import annotations
 import contextlib
 import socket
 
-from birdcage.sim.rig import Rig
+from birdcage.sim.rig import SimReceiver
 from birdcage.sim.rig_port import RigLines
 
 
 class RigServer:
     """Any number of clients, served between other work; they share the one receiver."""
 
-    def __init__(self, rig: Rig, port: int) -> None:
+    def __init__(self, rig: SimReceiver, port: int) -> None:
         """Listen on 127.0.0.1, at a port that the system chooses where `port` is 0. OSError where it is taken."""
         self._rig = rig
         self._listener = socket.create_server(("127.0.0.1", port))

@@ -15,10 +15,10 @@ from urllib.parse import urlencode
 from birdcage.base.clock import Clock, RealClock, ScaledClock
 from birdcage.base.wake import Wake
 from birdcage.sim.beacons import read_beacons
-from birdcage.sim.channel import Channel
+from birdcage.sim.channel import ClientChannel
 from birdcage.sim.device import Device
 from birdcage.sim.port import open_device
-from birdcage.sim.rig import Rig, RigSettings
+from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.sim.rig_server import RigServer
 from birdcage.sim.server import Server
 
@@ -89,10 +89,10 @@ def _receiver(device: Device, clock: Clock, port: int | None, beacons: Path | No
     if beacons is not None:
         read_beacons(beacons)  # one that is wrong is better told now
     settings = RigSettings(beacons="" if beacons is None else str(beacons), seed=seed)
-    return RigServer(Rig(settings, clock, lambda: device), port)
+    return RigServer(SimReceiver(settings, clock, lambda: device), port)
 
 
-def _channel(link: Path | None, baud: int, *, tcp: bool) -> Channel:
+def _channel(link: Path | None, baud: int, *, tcp: bool) -> ClientChannel:
     if tcp:
         if link is not None:
             raise ValueError("--link names a pty: leave it out with --tcp")

@@ -8,7 +8,7 @@ import time
 from typing import Any
 
 from birdcage.base.wake import Wake
-from birdcage.sim.channel import Channel
+from birdcage.sim.channel import ClientChannel
 from birdcage.sim.control import ControlSocket, obey
 from birdcage.sim.device import Device
 from birdcage.sim.port import SimPort
@@ -22,7 +22,7 @@ ATTEND_S = 0.2
 class Server:
     """Carries bytes between a channel and a dish, and answers the control socket. One thread, one `select`."""
 
-    def __init__(self, device: Device, channel: Channel, name: str, rig: RigServer | None = None) -> None:
+    def __init__(self, device: Device, channel: ClientChannel, name: str, rig: RigServer | None = None) -> None:
         self.device = device
         self.channel = channel
         self.rig = rig

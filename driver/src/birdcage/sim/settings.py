@@ -27,7 +27,7 @@ class Options:
 
 
 @dataclass(frozen=True, slots=True)
-class Settings(Options):
+class SimSettings(Options):
     """The knobs that every simulated dish has. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "dish"
@@ -120,7 +120,7 @@ class Settings(Options):
 AnySettings = TypeVar("AnySettings", bound=Options)
 
 
-def option_names(kind: type[Settings]) -> list[str]:
+def option_names(kind: type[SimSettings]) -> list[str]:
     """Return the names of all options of one kind of dish."""
     return [field.name for field in fields(kind)]
 

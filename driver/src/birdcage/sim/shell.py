@@ -9,10 +9,10 @@ from typing import Protocol
 
 from birdcage.sim.chance import seeded
 from birdcage.sim.machine import Machine
-from birdcage.sim.settings import LINE_ENDS, Settings
+from birdcage.sim.settings import LINE_ENDS, SimSettings
 
 LONGEST_MEMORY = 10_000
-"""Lines remembered in `Shell.received`."""
+"""Lines remembered in `ConsoleShell.received`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ class Menu(Protocol):
         """Carry out one line, never empty. An unknown command answers with its error text."""
 
 
-class Shell:
+class ConsoleShell:
     """Buffers input while a command runs, echoes when it reads, and has no backspace.
 
     Source: docs/reference/consoles.md, *Shell*.
@@ -68,7 +68,7 @@ class Shell:
     def __init__(
         self,
         machine: Machine,
-        settings: Settings,
+        settings: SimSettings,
         menus: Mapping[str, Menu],
         send: Callable[[bytes], None],
         echo: Callable[[bytes], None],

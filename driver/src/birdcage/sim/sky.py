@@ -8,7 +8,7 @@ from datetime import datetime
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sim.almanac import geostationary, sun
 from birdcage.sim.beam import COMPRESSION, gain
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 SLOTS: dict[float, float] = {
     -61.5: 143.0,
@@ -41,10 +41,10 @@ Source = tuple[tuple[float, float], float]
 """Where something stands, true azimuth and elevation, and the counts that it makes alone."""
 
 
-class Sky:
+class SimSky:
     """The sky over one place."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: SimSettings) -> None:
         self._settings = settings
         place = settings.lat, settings.lon
         self.slots = [(geostationary(slot, *place), counts) for slot, counts in SLOTS.items()]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from birdcage.base.geometry import wrap_360
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 Vector = tuple[float, float, float]
 """East, north, up."""
@@ -14,7 +14,7 @@ Vector = tuple[float, float, float]
 class Stance:
     """A base turned by `heading`, leaning by `tilt_north` and `tilt_east`, with a beam `collimation` to the left."""
 
-    def __init__(self, settings: Settings) -> None:
+    def __init__(self, settings: SimSettings) -> None:
         self._settings = settings
         lean = math.radians(math.hypot(settings.tilt_north, settings.tilt_east))
         towards = math.atan2(settings.tilt_east, settings.tilt_north)

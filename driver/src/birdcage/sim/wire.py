@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 
 from birdcage.sim.chance import seeded
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ Plan = Iterable[Byte] | Callable[[int], Byte]
 
 
 @dataclass(slots=True)
-class Lane:
+class WireDirection:
     """One direction. Fields may be changed at any time; probabilities are for each byte."""
 
     rng: random.Random
@@ -91,13 +91,13 @@ class Lane:
         return self.rng.uniform(self.delay_min_s, self.delay_max_s) if self.delay_max_s else 0.0
 
 
-class Wire:
+class SimWire:
     """Both directions. Only data: the device reads it whenever a byte is sent."""
 
-    def __init__(self, settings: Settings, dish_baud: int) -> None:
+    def __init__(self, settings: SimSettings, dish_baud: int) -> None:
         self._dish_baud = dish_baud
-        self.to_dish = Lane(seeded("to dish", settings.seed))
-        self.to_host = Lane(seeded("to host", settings.seed))
+        self.to_dish = WireDirection(seeded("to dish", settings.seed))
+        self.to_host = WireDirection(seeded("to host", settings.seed))
         for lane in self.lanes:
             lane.drop, lane.double, lane.garble = settings.drop, settings.double, settings.garble
             lane.delay_max_s, lane.pace_baud = settings.delay, settings.pace_baud
@@ -110,7 +110,7 @@ class Wire:
         self._wrong_baud = settings.wrong_baud
         self._noise = seeded("wrong baud", settings.seed)
 
-    def carry(self, lane: Lane, now: float, data: bytes) -> list[tuple[float, bytes]]:
+    def carry(self, lane: WireDirection, now: float, data: bytes) -> list[tuple[float, bytes]]:
         """Return what arrives of `data`, sent at `now`, and when; nothing sensible at a wrong rate."""
         if self.baud not in (None, self._dish_baud):
             if self._wrong_baud == "silent":
@@ -119,6 +119,6 @@ class Wire:
         return lane.carry(now, data)
 
     @property
-    def lanes(self) -> tuple[Lane, Lane]:
+    def lanes(self) -> tuple[WireDirection, WireDirection]:
         """Both directions: to the dish, to the host."""
         return self.to_dish, self.to_host

@@ -32,7 +32,7 @@ def megahertz(hz: float) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Span:
+class FrequencyRange:
     """A row of `data/bands.toml`: something with a name and a range of frequencies."""
 
     name: str
@@ -83,23 +83,23 @@ def rf_of(lo_hz: float, if_hz: float) -> tuple[Conversion, ...]:
     return tuple(Conversion(rf_hz, lo_hz) for rf_hz in sums if rf_hz > 0.0)
 
 
-def lnbs() -> tuple[Span, ...]:
+def lnbs() -> tuple[FrequencyRange, ...]:
     """Return the common converters."""
     return _rows()["lnb"]
 
 
-def receivers() -> tuple[Span, ...]:
+def receivers() -> tuple[FrequencyRange, ...]:
     """Return the receivers, each with what it tunes."""
     return _rows()["receiver"]
 
 
-def plans() -> tuple[Span, ...]:
+def plans() -> tuple[FrequencyRange, ...]:
     """Return who uses what part of the spectrum."""
     return _rows()["plan"]
 
 
 @cache
-def _rows() -> dict[str, tuple[Span, ...]]:
+def _rows() -> dict[str, tuple[FrequencyRange, ...]]:
     import tomllib
     from importlib.resources import files
 
@@ -107,7 +107,7 @@ def _rows() -> dict[str, tuple[Span, ...]]:
     return {kind: tuple(_span(row) for row in rows) for kind, rows in data.items()}
 
 
-def _span(row: dict[str, Any]) -> Span:
+def _span(row: dict[str, Any]) -> FrequencyRange:
     low_mhz, high_mhz = row.get("if_mhz") or row["rf_mhz"]
     lo_hz = row["lo_mhz"] * 1e6 if "lo_mhz" in row else None
-    return Span(row["name"], low_mhz * 1e6, high_mhz * 1e6, row["source"], lo_hz, row.get("note", ""))
+    return FrequencyRange(row["name"], low_mhz * 1e6, high_mhz * 1e6, row["source"], lo_hz, row.get("note", ""))

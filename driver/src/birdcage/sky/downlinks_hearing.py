@@ -22,7 +22,7 @@ CROSSED_DB = 3.0
 
 
 @dataclass(frozen=True, slots=True)
-class Hearing:
+class FeedHearing:
     """That a feed hears a downlink, and what to expect of it."""
 
     downlink: Downlink
@@ -48,7 +48,7 @@ def has_band(feed: FeedProfile) -> bool:
     return feed.freq_min_hz is not None and feed.freq_max_hz is not None
 
 
-def hearing(downlink: Downlink, feed: FeedProfile) -> Hearing | None:
+def hearing(downlink: Downlink, feed: FeedProfile) -> FeedHearing | None:
     """Return how a feed hears a downlink; None when it does not, or its band is not known.
 
     Whether anything is on the air there is another question: see `Downlink.alive`.
@@ -59,10 +59,10 @@ def hearing(downlink: Downlink, feed: FeedProfile) -> Hearing | None:
     kinds = (downlink.kind, feed.polarization)
     loss_db = None if None in kinds else (0.0 if kinds[0] == kinds[1] else CROSSED_DB)
     heard_hz = max(low_hz, downlink.freq_min_hz), min(high_hz, downlink.freq_max_hz)
-    return Hearing(downlink, heard_hz == (downlink.freq_min_hz, downlink.freq_max_hz), loss_db, sum(heard_hz) / 2.0)
+    return FeedHearing(downlink, heard_hz == (downlink.freq_min_hz, downlink.freq_max_hz), loss_db, sum(heard_hz) / 2.0)
 
 
-def hearable(downlinks: Iterable[Downlink], feed: FeedProfile) -> tuple[Hearing, ...]:
+def hearable(downlinks: Iterable[Downlink], feed: FeedProfile) -> tuple[FeedHearing, ...]:
     """Return what of it a feed can hear and that is not known to be off the air."""
     found = (hearing(each, feed) for each in downlinks if each.alive is not False)
     return tuple(each for each in found if each is not None)
@@ -100,14 +100,14 @@ def listener(downlinks: Iterable[Downlink], feed: FeedProfile) -> Callable[[int,
     return hears
 
 
-def first_heard(table: Downlinks, feed: FeedProfile) -> Callable[[int, str], Hearing | None]:
+def first_heard(table: Downlinks, feed: FeedProfile) -> Callable[[int, str], FeedHearing | None]:
     """Return what tells which downlink of a satellite is listened to with a feed, by number and name; None for none.
 
     It is the first of the table that the feed hears, of those known to be on the air where there is one.
     """
 
     @cache
-    def first(norad_id: int, name: str) -> Hearing | None:
+    def first(norad_id: int, name: str) -> FeedHearing | None:
         heard = hearable(table.of(norad_id, name), feed)
         return min(heard, key=lambda each: each.downlink.alive is not True, default=None)
 

@@ -78,7 +78,7 @@ def sidereal_rad(t_s: ArrayLike, dut1: ArrayLike) -> Floats:
 
 
 @dataclass(frozen=True, slots=True)
-class Site:
+class SiteVectors:
     """An observer in numbers that the transforms use, km and radians."""
 
     axis_km: float
@@ -92,7 +92,7 @@ class Site:
     """Geodetic."""
 
     @classmethod
-    def of(cls, observer: Observer) -> Site:
+    def of(cls, observer: Observer) -> SiteVectors:
         """Return the site of a place on the WGS84 ellipsoid."""
         latitude = math.radians(observer.latitude_deg)
         sin_lat, cos_lat = math.sin(latitude), math.cos(latitude)
@@ -115,7 +115,7 @@ class Site:
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class LookArrays:
     """Where satellites stand for an observer; one entry for each satellite, or for each time.
 
     NaN where SGP4 has no position (it has decayed, or its elements are no orbit).
@@ -130,10 +130,10 @@ class Looks:
     """Positive while it moves away."""
 
 
-def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s: Floats) -> Looks:
+def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s: Floats) -> LookArrays:
     """Return the look angles of TEME states (n, 3) at POSIX seconds `t_s`: one time for all, or one for each."""
     times = np.asarray(t_s, dtype=np.float64)
-    site = Site.of(observer)
+    site = SiteVectors.of(observer)
     angle = sidereal_rad(times, dut1_at(times)) + site.longitude_rad
     c, s = np.cos(angle), np.sin(angle)
     px = position_km[:, 0] - site.axis_km * c
@@ -149,7 +149,7 @@ def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s:
     level = np.hypot(east, north)
     range_km = np.hypot(level, up)
     az_deg = np.degrees(np.arctan2(east, north)) % 360.0
-    return Looks(
+    return LookArrays(
         az_deg=np.where(az_deg == 360.0, 0.0, az_deg),
         el_deg=np.degrees(np.arctan2(up, level)),
         range_km=range_km,
@@ -159,7 +159,7 @@ def look(observer: Observer, t_s: ArrayLike, position_km: Floats, velocity_km_s:
 
 def line_of_sight(observer: Observer, t_s: Floats, position_km: Floats) -> Floats:
     """Return the unit vectors (n, 3), TEME, from the observer to the satellite at POSIX seconds `t_s`."""
-    site = Site.of(observer)
+    site = SiteVectors.of(observer)
     angle = sidereal_rad(t_s, dut1_at(t_s)) + site.longitude_rad
     here = np.stack([site.axis_km * np.cos(angle), site.axis_km * np.sin(angle), np.full(len(t_s), site.north_km)], 1)
     away = position_km - here

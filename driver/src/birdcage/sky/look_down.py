@@ -15,7 +15,7 @@ from birdcage.sky.ground_track import orbit_track, sub_points
 from birdcage.sky.observer import Observer
 from birdcage.sky.propagate import Fleet
 from birdcage.sky.terminator import sub_solar
-from birdcage.sky.world import Ground, WorldView
+from birdcage.sky.world import SubPoint, WorldView
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +59,7 @@ def world_view(
     )
 
 
-def _places(t_s: float, satellites: Sequence[Mapped]) -> tuple[Ground, ...]:
+def _places(t_s: float, satellites: Sequence[Mapped]) -> tuple[SubPoint, ...]:
     """Return the points under satellites, those that have one, in their order."""
     offsets = {index: one.time_offset_s for index, one in enumerate(satellites) if one.time_offset_s}
     _, position, _ = Fleet([one.elements for one in satellites]).states(t_s, offsets)
@@ -67,7 +67,7 @@ def _places(t_s: float, satellites: Sequence[Mapped]) -> tuple[Ground, ...]:
     columns = zip(satellites, under.latitude_deg.tolist(), under.longitude_deg.tolist(), under.altitude_km.tolist(),
                   strict=True)  # fmt: skip
     return tuple(
-        Ground(one.elements.name, one.elements.norad_id, lat, lon, up, one.favourite)
+        SubPoint(one.elements.name, one.elements.norad_id, lat, lon, up, one.favourite)
         for one, lat, lon, up in columns
         if np.isfinite(lat)
     )

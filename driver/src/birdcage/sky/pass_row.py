@@ -14,7 +14,7 @@ from birdcage.sky.reach_limits import ReachLimits
 
 if TYPE_CHECKING:
     from birdcage.sky.passes.table import PassTable
-    from birdcage.sky.reach_model import Reach
+    from birdcage.sky.reach_model import PassReach
     from birdcage.sky.sun_crossing import SunApproach
     from birdcage.sky.watch_source import Watched
 
@@ -43,7 +43,7 @@ class PassRow:
 
     passing: Pass
     elements: ElementSet
-    reach: Reach
+    reach: PassReach
     sunlit_share: float
     """How much of the pass the Sun shines on the satellite, 0 to 1."""
     sun: SunApproach | None

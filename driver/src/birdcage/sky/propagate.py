@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from sgp4.api import SGP4_ERRORS, WGS72, Satrec, SatrecArray  # type: ignore[import-untyped]
 
 from birdcage.sky.elements import ElementSet
-from birdcage.sky.frames import Floats, Looks, julian, look, posix_s
+from birdcage.sky.frames import Floats, LookArrays, julian, look, posix_s
 from birdcage.sky.observer import Observer
 
 Record: TypeAlias = Satrec
@@ -113,7 +113,7 @@ class Fleet(Sequence[ElementSet]):
     def __len__(self) -> int:
         return len(self._elements)
 
-    def look(self, observer: Observer, when: datetime, time_offsets: Mapping[int, float] | None = None) -> Looks:
+    def look(self, observer: Observer, when: datetime, time_offsets: Mapping[int, float] | None = None) -> LookArrays:
         """Return where every satellite stands at one time, in the order of the fleet.
 
         `time_offsets`: how many seconds later than computed a satellite comes, by its index in the fleet.
@@ -140,7 +140,7 @@ class Fleet(Sequence[ElementSet]):
 
 
 @dataclass(frozen=True, slots=True)
-class Track(Looks):
+class Track(LookArrays):
     """The look angles of one satellite over time."""
 
     t_s: Floats

@@ -15,9 +15,9 @@ import numpy as np
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_cable import Bools, Run, runs_of
-from birdcage.sky.reach_checks import Check, Floats, SampledTrack, SkyPath, cable_check, checks_of, crossing
+from birdcage.sky.reach_checks import Floats, LimitCheck, SampledTrack, SkyPath, cable_check, checks_of, crossing
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.sky.reach_model import Lost, PassReach, Stretch
 from birdcage.sky.reach_speed import azimuth_room, too_fast
 
 _FINE_S = 0.05
@@ -26,7 +26,7 @@ _SHORTEST_S = 1e-3
 """What is shorter is no stretch but an edge."""
 
 
-def reach(track: SampledTrack, limits: ReachLimits) -> Reach:
+def reach(track: SampledTrack, limits: ReachLimits) -> PassReach:
     """Return when the dish can point along a track of one pass, from its first sample to its last.
 
     `sample_times` says when to sample. ValueError for a track of fewer than two samples.
@@ -69,13 +69,13 @@ class _Work:
         self._failing: Bools = np.array([check.of_samples(path.az, path.el) < 0.0 for check in self._checks])
         self._allowed: Bools = np.logical_not(np.any(self._failing, axis=0))
 
-    def reach(self) -> Reach:
+    def reach(self) -> PassReach:
         """Find the stretches, cut the keyhole out of them, and name what lies between."""
         runs = runs_of(self._path.t, self._path.az, self._allowed, self._limits)
         stretches = [span for run in runs for span in self._stretches(run)]
         spans = self._cut(self._with_losses(stretches), self._keyholes(stretches))
         followed = [span for span in spans if not span.reason]
-        return Reach(
+        return PassReach(
             tuple(Stretch(self._utc(span.start), self._utc(span.end), span.turn) for span in followed),
             tuple(Lost(self._utc(span.start), self._utc(span.end), span.reason) for span in spans if span.reason),
             self._highest(followed),
@@ -105,7 +105,7 @@ class _Work:
             if end - start > _SHORTEST_S:
                 yield _Span(start, end, "", turn)
 
-    def _crossings(self, checks: list[Check], failing: Bools, index: int) -> list[float]:
+    def _crossings(self, checks: list[LimitCheck], failing: Bools, index: int) -> list[float]:
         """Return when the limits that fail at one end of an interval are crossed in it."""
         return [crossing(self._path, check, index) for check, fails in zip(checks, failing, strict=True) if fails]
 

@@ -74,7 +74,7 @@ NO_TRACKING = "no tracking"
 
 
 @dataclass(frozen=True, slots=True)
-class Check:
+class LimitCheck:
     """One limit. Both functions take unrolled azimuth and elevation and return how far inside it they are."""
 
     reason: str
@@ -82,33 +82,33 @@ class Check:
     of_point: Callable[[float, float], float]
 
 
-def checks_of(limits: ReachLimits) -> list[Check]:
+def checks_of(limits: ReachLimits) -> list[LimitCheck]:
     """Return the limits that depend on the direction alone, in the order in which they are named as a reason."""
     floor, ceiling = limits.el_floor_deg - _HAIR_DEG, limits.el_ceiling_deg + _HAIR_DEG
     checks = [
-        Check("floor", lambda _az, el: el - floor, lambda _az, el: el - floor),
-        Check("ceiling", lambda _az, el: ceiling - el, lambda _az, el: ceiling - el),
+        LimitCheck("floor", lambda _az, el: el - floor, lambda _az, el: el - floor),
+        LimitCheck("ceiling", lambda _az, el: ceiling - el, lambda _az, el: ceiling - el),
     ]
     if not limits.follows:
-        checks = [Check(NO_TRACKING, lambda az, _el: np.full_like(az, -1.0), lambda _az, _el: -1.0)]
+        checks = [LimitCheck(NO_TRACKING, lambda az, _el: np.full_like(az, -1.0), lambda _az, _el: -1.0)]
     if limits.horizon is not None:
         checks.append(_horizon_check(limits.horizon))
     checks.extend(_sector_check(sector) for sector in limits.no_go)
     return checks
 
 
-def cable_check(low_deg: float, high_deg: float, turns: Sequence[int], az_offset_deg: float) -> Check:
+def cable_check(low_deg: float, high_deg: float, turns: Sequence[int], az_offset_deg: float) -> LimitCheck:
     """Return the check that the cable allows every one of some turns."""
     low = low_deg + az_offset_deg - 360.0 * min(turns)
     high = high_deg + az_offset_deg - 360.0 * max(turns)
-    return Check(
+    return LimitCheck(
         "cable",
         lambda az, _el: np.minimum(az - low, high - az),
         lambda az, _el: min(az - low, high - az),
     )
 
 
-def crossing(path: SkyPath, check: Check, index: int) -> float:
+def crossing(path: SkyPath, check: LimitCheck, index: int) -> float:
     """Return when the path crosses a limit that it keeps at one end of the interval after `index` only.
 
     Regula falsi (Illinois) on the interpolated path.
@@ -132,9 +132,9 @@ def crossing(path: SkyPath, check: Check, index: int) -> float:
     return (low + high) / 2.0
 
 
-def _horizon_check(mask: Horizon) -> Check:
+def _horizon_check(mask: Horizon) -> LimitCheck:
     azimuths, lowest = _mask_table(mask)
-    return Check(
+    return LimitCheck(
         "horizon",
         lambda az, el: el - np.interp(az % 360.0, azimuths, lowest),
         lambda az, el: el - mask.at(az % 360.0),
@@ -147,7 +147,7 @@ def _mask_table(mask: Horizon) -> tuple[Floats, Floats]:
     return azimuths, np.array([mask.at(az % 360.0) for az in azimuths.tolist()])
 
 
-def _sector_check(sector: NoGo) -> Check:
+def _sector_check(sector: NoGo) -> LimitCheck:
     half = (sector.az_to_deg - sector.az_from_deg) % 360.0 / 2.0
     middle, below = sector.az_from_deg + half, sector.el_below_deg
 
@@ -159,4 +159,4 @@ def _sector_check(sector: NoGo) -> Check:
     def of_point(az: float, el: float) -> float:
         return max(abs((az - middle + 180.0) % 360.0 - 180.0) - half, el - below)
 
-    return Check(f"no-go: {sector.reason}" if sector.reason else "no-go", of_samples, of_point)
+    return LimitCheck(f"no-go: {sector.reason}" if sector.reason else "no-go", of_samples, of_point)

@@ -32,7 +32,7 @@ class Lost:
 
 
 @dataclass(frozen=True, slots=True)
-class Reach:
+class PassReach:
     """What of a pass this dish can follow; `intervals` and `lost` together are the whole pass, each in order."""
 
     intervals: tuple[Stretch, ...]

@@ -17,9 +17,9 @@ from typing import IO, Any
 
 from birdcage.base.errors import StoreError
 from birdcage.sky.observer import Observer
+from birdcage.sky.pass_search_job import PassSearchJob
 from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.search_process import receive, send
-from birdcage.sky.watch_hunt import PassHunt
 from birdcage.sky.watch_source import Watched, frozen_set, read_catalogue
 
 NICENESS = 10
@@ -32,7 +32,7 @@ class SearchWorker:
     def __init__(self, catalogue: Path, out: IO[bytes]) -> None:
         self._catalogue, self._out = catalogue, out
         self._watched: Watched | None = None
-        self._hunt: PassHunt | None = None
+        self._hunt: PassSearchJob | None = None
         self._number = 0
         self._now: datetime | None = None
 
@@ -53,7 +53,7 @@ class SearchWorker:
         except StoreError:  # the watch reads it, too, and says so
             self._watched = self._watched or frozen_set()
         self._number, self._now = number, now
-        self._hunt = PassHunt(self._watched, observer, limits, start)
+        self._hunt = PassSearchJob(self._watched, observer, limits, start)
 
     def _limits(self, number: int, limits: ReachLimits) -> None:
         self._number = number

@@ -236,9 +236,9 @@ class SkyWatch:
         start = now - timedelta(minutes=30)
         if self._process is not None:
             return self._process.begin(observer, self._limits, start, now)
-        from birdcage.sky.watch_hunt import PassHunt
+        from birdcage.sky.pass_search_job import PassSearchJob
 
-        return PassHunt(watched, observer, self._limits, start)
+        return PassSearchJob(watched, observer, self._limits, start)
 
     def _work(self, now: datetime) -> bool:
         if self._next_hunt is not None:

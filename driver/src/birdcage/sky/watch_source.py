@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from birdcage.sky.elements import ElementSet
 
 if TYPE_CHECKING:
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +27,7 @@ class Watched:
     """How many seconds later than computed a satellite comes."""
 
     @classmethod
-    def of(cls, entries: Sequence[Entry], note: str = "") -> Watched:
+    def of(cls, entries: Sequence[CatalogueEntry], note: str = "") -> Watched:
         """Return what the catalogue says of these satellites."""
         return cls(
             tuple(entry.elements for entry in entries),
@@ -53,7 +53,7 @@ class Watched:
         )
 
 
-def read_entries(path: Path) -> tuple[Entry, ...]:
+def read_entries(path: Path) -> tuple[CatalogueEntry, ...]:
     """Return what the catalogue holds; nothing where there is no file, and none is made. StoreError if unreadable."""
     from birdcage.sky.catalogue import Catalogue
 

@@ -13,7 +13,7 @@ Places = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Ground:
+class SubPoint:
     """A satellite as the map has it: the point under it (geodetic), and how high it is above that."""
 
     name: str
@@ -32,9 +32,9 @@ class WorldView:
     utc: datetime
     sun: SubSolar
     observer: Observer | None = None
-    satellites: tuple[Ground, ...] = ()
+    satellites: tuple[SubPoint, ...] = ()
     """Without the chosen one."""
-    chosen: Ground | None = None
+    chosen: SubPoint | None = None
     """None if nothing is chosen, or its elements give no position at that time."""
     behind: Places = ()
     """The ground track of the chosen satellite: the orbit up to now, ending under it."""

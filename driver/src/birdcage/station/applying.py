@@ -9,19 +9,19 @@ from birdcage.antenna.az_el import MOST_MISSED_DEG
 from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
-from birdcage.station.board import Board
-from birdcage.station.look import Look
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.mover import Mover
 from birdcage.station.settings import Rules, rules_from
 from birdcage.station.state import MOVING
+from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
 
 
-def refuse_while_moving(board: Board, antenna: BirdcageAntenna, so: str) -> None:
+def refuse_while_moving(store: StateStore, antenna: BirdcageAntenna, so: str) -> None:
     """Raise BirdcageError (`moving`) while the dish moves; `so` is what is not done meanwhile."""
-    if antenna.motion is not None or board.state.activity in MOVING:
+    if antenna.motion is not None or store.state.activity in MOVING:
         raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason="moving")
-    if board.state.raw_motion:
+    if store.state.raw_motion:
         raise BirdcageError(
             f"{so}: a raw line may have set the dish in motion. Give the console back, or STOP.",
             reason="moving",
@@ -37,23 +37,23 @@ class Applying:
     """The one place where rules come into force."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, look: Look,
+        self, store: StateStore, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, reader: DishReader,
         wrong_facts: tuple[str, ...],
     ) -> None:  # fmt: skip
-        self._board, self._antenna = board, antenna
-        self._mover, self._stopper, self._look = mover, stopper, look
+        self._store, self._antenna = store, antenna
+        self._mover, self._stopper, self._reader = mover, stopper, reader
         self._wrong_facts = refusal_of(wrong_facts)
 
     def apply(self, settings: Settings) -> None:
         """Take over what these settings say. BirdcageError (`moving`) while the dish moves."""
-        refuse_while_moving(self._board, self._antenna, "Settings are not taken over")
+        refuse_while_moving(self._store, self._antenna, "Settings are not taken over")
         self.use(rules_from(settings))
 
     def use(self, rules: Rules) -> None:
         """Put the rules into force, and show everything that follows from them."""
-        alignment, position = rules.alignment, self._board.state.position
+        alignment, position = rules.alignment, self._store.state.position
         self._antenna.align(alignment)
-        self._look.rules = rules
+        self._reader.rules = rules
         self._antenna.stop_consent = rules.stop_releases_motors
         self._mover.forget_target()  # it was true under the alignment of before
         if position is not None:
@@ -61,10 +61,10 @@ class Applying:
             position = replace(position, az_deg=az_deg, el_deg=el_deg)
         beam = beam_of(rules.feed, self._antenna.model.reflector)
         self._antenna.rotator.most_missed_deg = MOST_MISSED_DEG if beam is None else beam.narrow_deg / 2.0
-        self._board.change(
+        self._store.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
             feed_name=rules.feed_name, beam=beam, unplanned_stop=self._antenna.strategy.unplanned,
             stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion or self._wrong_facts,
         )  # fmt: skip
-        self._look.limit()
+        self._reader.limit()

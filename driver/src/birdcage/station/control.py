@@ -7,31 +7,31 @@ from datetime import datetime
 
 from birdcage.base.errors import Held, LeaseDenied, MotionRefused
 from birdcage.base.held import HeldNote
-from birdcage.station.board import Board
 from birdcage.station.events import HeldChanged, LeaseChanged
 from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.state import HeldState
+from birdcage.station.state_store import StateStore
 
 
 class Control:
     """The lease and HELD. `latched` is set by STOP from any thread, before anything else happens."""
 
-    def __init__(self, board: Board, keeper: HeldKeeper | None = None) -> None:
+    def __init__(self, store: StateStore, keeper: HeldKeeper | None = None) -> None:
         """`keeper` keeps HELD for the programs that come after; None if nothing lasts beyond this one."""
-        self._board, self._keeper = board, keeper
+        self._store, self._keeper = store, keeper
         self.latched = False
         if keeper is not None:
-            keeper.on_trouble = lambda sentence: board.change(held_trouble=sentence)
+            keeper.on_trouble = lambda sentence: store.change(held_trouble=sentence)
 
     def take(self, holder: str, *, take_over: bool = False) -> None:
         """Give the lease to `holder`. LeaseDenied if another has it, unless taken over, which is told."""
         self.may_take(holder, take_over=take_over)
-        if self._board.state.holder != holder:
+        if self._store.state.holder != holder:
             self._pass_to(holder)
 
     def may_take(self, holder: str, *, take_over: bool = False) -> None:
         """Raise LeaseDenied where `take` would; the lease stays where it is."""
-        previous = self._board.state.holder
+        previous = self._store.state.holder
         if previous not in (None, holder) and not take_over:
             raise LeaseDenied(f"{previous} has control. Take control, or wait until it is free.")
 
@@ -44,7 +44,7 @@ class Control:
 
     def give_back(self, holder: str) -> None:
         """Take the lease back from `holder`; nothing happens if it has none."""
-        if self._board.state.holder == holder:
+        if self._store.state.holder == holder:
             self._pass_to(None)
 
     def admit(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
@@ -54,7 +54,7 @@ class Control:
 
     def refuse(self, holder: str, az_deg: float | None = None, el_deg: float | None = None) -> None:
         """Raise Held or MotionRefused where the dish may not be moved now; the lease stays where it is."""
-        state = self._board.state
+        state = self._store.state
         if self.latched:
             held = state.held
             if held is not None:
@@ -73,9 +73,9 @@ class Control:
 
     def announce(self, holder: str, az_deg: float, el_deg: float) -> None:
         """While it is held, say who would move first after the release, and where to; it changes as time goes on."""
-        held = self._board.state.held
+        held = self._store.state.held
         if held is not None:
-            self._board.change(held=replace(held, next_holder=holder, next_az_deg=az_deg, next_el_deg=el_deg))
+            self._store.change(held=replace(held, next_holder=holder, next_az_deg=az_deg, next_el_deg=el_deg))
 
     def meet(self, port: str) -> None:
         """Take in which dish it is, and hold it if an earlier program did and it was not released since."""
@@ -83,24 +83,24 @@ class Control:
         if note is None or self.latched:
             return
         self.latched = True
-        at, _ = self._board.stamp()
+        at, _ = self._store.stamp()
         self._tell_held(HeldState(note.by, at, note.utc, note.reason, earlier=True, damage=note.damage))
 
     def hold(self, by: str, reason: str, *, keep: bool = True) -> None:
         """Latch, and take the lease away from whoever has it. `keep`: also for the programs that come after."""
         self.latched = True
-        at, utc = self._board.stamp()
-        if self._board.state.held is None or reason == "stop":
+        at, utc = self._store.stamp()
+        if self._store.state.held is None or reason == "stop":
             self._tell_held(HeldState(by, at, utc, reason))
             if keep:
                 self.keep(by, utc, reason)
-        if self._board.state.holder is not None:
+        if self._store.state.holder is not None:
             self._pass_to(None)
 
     def keep(self, by: str, utc: datetime, reason: str) -> None:
         """Let HELD outlive this program. Any thread; never waits for the disk."""
         if self._keeper is not None:
-            self._keeper.latch(HeldNote(by, utc, reason, self._board.state.port))
+            self._keeper.latch(HeldNote(by, utc, reason, self._store.state.port))
 
     def expect_another_dish(self) -> None:
         """What answers next may be another dish. HELD holds there too; a release then leaves the first one held."""
@@ -112,14 +112,14 @@ class Control:
         self.latched = False
         if self._keeper is not None:
             self._keeper.release()
-        if self._board.state.held is not None:
+        if self._store.state.held is not None:
             self._tell_held(None)
 
     def _tell_held(self, held: HeldState | None) -> None:
-        self._board.change(held=held)
-        self._board.tell(HeldChanged(*self._board.stamp(), held))
+        self._store.change(held=held)
+        self._store.tell(HeldChanged(*self._store.stamp(), held))
 
     def _pass_to(self, holder: str | None) -> None:
-        previous = self._board.state.holder
-        self._board.change(holder=holder)
-        self._board.tell(LeaseChanged(*self._board.stamp(), holder, previous))
+        previous = self._store.state.holder
+        self._store.change(holder=holder)
+        self._store.tell(LeaseChanged(*self._store.stamp(), holder, previous))

@@ -23,8 +23,8 @@ class DishMover(QueuedMover):
         if self._antenna.strategy.one_at_a_time:
             super().go(job, clamp=clamp, leapfrog=leapfrog)
             return
-        job.whole, clock, permit = True, self._board.clock, self._antenna.permit
-        now, start = clock.monotonic(), self._board.state.position
+        job.whole, clock, permit = True, self._store.clock, self._antenna.permit
+        now, start = clock.monotonic(), self._store.state.position
 
         def begin(commanded: tuple[float, float]) -> None:
             if permit is not None:
@@ -34,7 +34,7 @@ class DishMover(QueuedMover):
             assert motion is not None, "the antenna has just begun it"
             power = self._antenna.strategy.power(motion, clock.rate)
             self._begin(
-                job, commanded, start or self._board.state.position, now, motion.eta(clock.rate), power,
+                job, commanded, start or self._store.state.position, now, motion.eta(clock.rate), power,
             )  # fmt: skip
 
         self._point(job, begin, clamp=clamp, leapfrog=leapfrog and self._is_stream(job))
@@ -48,7 +48,7 @@ class DishMover(QueuedMover):
         try:
             self._antenna.point(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog, on_begun=begin)
         except PositionUnknown as unknown:
-            self._look.unknown(unknown)
+            self._reader.unknown(unknown)
             raise
         except CommandRefused as refused:
             if self._job is job:
@@ -79,11 +79,11 @@ class DishMover(QueuedMover):
                 f"{max(off_az, off_el):.2f}° from its target."
             )
             return
-        self._tell_progress(job, pointing, eta - self._board.clock.monotonic())
+        self._tell_progress(job, pointing, eta - self._store.clock.monotonic())
 
     def _update(self) -> float:
         """Show when it should be there, and what stops it; return the former."""
-        shown, motion, clock = self._board.state.motion, self._antenna.motion, self._board.clock
+        shown, motion, clock = self._store.state.motion, self._antenna.motion, self._store.clock
         if shown is None or motion is None:
             return clock.monotonic() if shown is None else shown.eta
         eta, power = motion.eta(clock.rate), self._antenna.strategy.power(motion, clock.rate)

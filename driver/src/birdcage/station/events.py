@@ -7,7 +7,7 @@ from datetime import datetime
 from enum import Enum
 
 from birdcage.rotator.feature import Value
-from birdcage.station.pursuit import Pursuit, Sample
+from birdcage.station.pursuit_state import PointingSample, Pursuit
 from birdcage.station.state import Activity, Fault, HeldState, LinkState, Motion, Pointing, StopReport
 
 
@@ -150,7 +150,7 @@ class Followed(Event):
 
     number: int
     """Of the pursuit."""
-    sample: Sample
+    sample: PointingSample
 
 
 @dataclass(frozen=True, slots=True)

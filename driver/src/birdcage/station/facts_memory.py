@@ -12,9 +12,9 @@ from birdcage.antenna.overshoot import OvershootWatch
 from birdcage.link.identity import dish_folder
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts
-from birdcage.station.board import Board
 from birdcage.station.events import Event, PositionRead
 from birdcage.station.facts_file import FILE, FactsFile
+from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
 
 TELLING_DEG = 0.005
@@ -25,17 +25,17 @@ class FactsMemory:
     """Over `facts.json` of the dish; of a dish without an identity it lasts as long as the program."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, stopper: Stopper, state_folder: Path | None,
+        self, store: StateStore, antenna: BirdcageAntenna, stopper: Stopper, state_folder: Path | None,
         identify: Callable[[str], str | None],
     ) -> None:  # fmt: skip
-        self._board, self._antenna, self._stopper = board, antenna, stopper
+        self._store, self._antenna, self._stopper = store, antenna, stopper
         self._state_folder, self._identify = state_folder, identify
         self._key: str | None = None
         self._file: FactsFile | None = None
         self.on_waits: Callable[[], None] = lambda: None
         """Told when the dish was seen to wait for its motors."""
         antenna.commands.on_blocking = self._see_it_wait
-        board.subscribe(self._hear)
+        store.subscribe(self._hear)
 
     def meet(self, port: str) -> None:
         """Take in that the dish is at `port` from now on."""
@@ -55,7 +55,7 @@ class FactsMemory:
         self._show()
         self.on_waits()
         if not self._antenna.strategy.one_at_a_time:
-            self._board.warn(
+            self._store.warn(
                 "facts",
                 "This dish was seen to wait for its motors, but birdcage.toml (dish.facts) says that it does not. "
                 "STOP may come late. Check second_same and second_other.",
@@ -94,4 +94,4 @@ class FactsMemory:
 
     def _show(self) -> None:
         antenna = self._antenna
-        self._board.change(dish=antenna.kind, own=antenna.own, unplanned_stop=antenna.strategy.unplanned)
+        self._store.change(dish=antenna.kind, own=antenna.own, unplanned_stop=antenna.strategy.unplanned)

@@ -1,4 +1,4 @@
-"""Features and readings as plain values: what `birdcage features`, `get` and `set` print, and the doorbell tells."""
+"""Features and readings as plain values: what `birdcage features`, `get`, `set` and the control channel tell."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from birdcage.base import errors
 from birdcage.base.errors import BirdcageError
-from birdcage.rotator.feature import Feature, Kind, Range, Reading
+from birdcage.rotator.feature import Feature, FeatureKind, Range, Reading
 
 Values = dict[str, object]
 
@@ -37,7 +37,7 @@ def reading_values(
 def _told(feature: Feature | None, reading: Reading | None) -> Values | None:
     if reading is None:
         return None
-    lines = feature is not None and feature.kind is Kind.LINES
+    lines = feature is not None and feature.kind is FeatureKind.LINES
     value = str(reading.value).splitlines() if lines else reading.value
     return {"value": value, "unit": reading.unit or None, "utc": reading.utc.isoformat(timespec="milliseconds")}
 

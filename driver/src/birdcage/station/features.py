@@ -8,23 +8,23 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
-from birdcage.station.board import Board
 from birdcage.station.control import Control
-from birdcage.station.look import Look
-from birdcage.station.motors import Motors
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.motor_power import MotorPower
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Set
-from birdcage.station.search import SearchSwitch
+from birdcage.station.search_control import SearchControl
+from birdcage.station.state_store import StateStore
 
 
-class Features:
+class FeatureHandler:
     """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, control: Control, look: Look, motors: Motors,
-        search: SearchSwitch, wire_free: Callable[[], None],
+        self, store: StateStore, antenna: BirdcageAntenna, control: Control, reader: DishReader, motors: MotorPower,
+        search: SearchControl, wire_free: Callable[[], None],
     ) -> None:  # fmt: skip
-        self._board, self._antenna, self._control, self._look = board, antenna, control, look
+        self._store, self._antenna, self._control, self._reader = store, antenna, control, reader
         self._motors, self._search, self._wire_free = motors, search, wire_free
 
     def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
@@ -37,12 +37,12 @@ class Features:
         readings = {each.id: told for each in features if (told := self._fresh(each)) is not None}
         due = [each for each in features if each.id not in readings]
         if due:
-            if self._board.state.holder == CONSOLE:
+            if self._store.state.holder == CONSOLE:
                 raise LeaseDenied(
                     "A person has the console of the dish, so nothing else is asked. Wait until it is free."
                 )
             if not all(each.cost.while_moving for each in due):
-                refuse_while_moving(self._board, self._antenna, "Nothing is read")
+                refuse_while_moving(self._store, self._antenna, "Nothing is read")
             self._wire_free()
             readings |= self._ask([each.id for each in due])
         return {each: readings[each] for each in ids if each in readings}
@@ -64,12 +64,12 @@ class Features:
             disabled = feature.id == END_TV_SEARCH or not value
             self._search.refuse(disabled=disabled)
             if feature.id == TV_SEARCH:  # one that runs is ended just because it moves the dish
-                refuse_while_moving(self._board, self._antenna, f"{feature.label} is not set")
+                refuse_while_moving(self._store, self._antenna, f"{feature.label} is not set")
             self._free_for(request.holder)
             self._search.set(disabled=disabled)
         else:
             return self._write(feature, value, request.holder)
-        return self._board.state.readings[feature.id]
+        return self._store.state.readings[feature.id]
 
     def _feature(self, name: str, *, readable: bool) -> Feature:
         feature = self._antenna.rotator.features.get(name)
@@ -84,34 +84,34 @@ class Features:
 
     def _fresh(self, feature: Feature) -> Reading | None:
         """Return the last reading while it is too early for another."""
-        last = self._board.state.readings.get(feature.id)
-        if last is None or self._board.clock.monotonic() - last.at >= feature.cost.min_interval_s:
+        last = self._store.state.readings.get(feature.id)
+        if last is None or self._store.clock.monotonic() - last.at >= feature.cost.min_interval_s:
             return None
         return last
 
     def _ask(self, ids: list[str]) -> Mapping[str, Reading]:
-        self._look.elsewhere = True  # STOP has to come back to the motor menu first, and look
+        self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
         try:
             readings = self._antenna.rotator.read(ids)
         except CommandRefused:
             self._come_back()
             raise
-        self._look.note(readings)
+        self._reader.note(readings)
         self._come_back()
         return readings
 
     def _write(self, feature: Feature, value: Value, holder: str) -> Reading:
         if not feature.cost.while_moving:
-            refuse_while_moving(self._board, self._antenna, f"{feature.label} is not set")
+            refuse_while_moving(self._store, self._antenna, f"{feature.label} is not set")
         self._free_for(holder)
-        self._look.elsewhere = True
+        self._reader.elsewhere = True
         try:
             reading = self._antenna.rotator.write(feature.id, value)
         except CommandRefused:
             self._come_back()
             raise
         if feature.is_readable:  # else it may have forgotten it since, and nothing would tell
-            self._look.note({feature.id: reading})
+            self._reader.note({feature.id: reading})
         self._come_back()
         return reading
 
@@ -123,4 +123,4 @@ class Features:
 
     def _come_back(self) -> None:
         self._antenna.rotator.make_ready()
-        self._look.elsewhere = False
+        self._reader.elsewhere = False

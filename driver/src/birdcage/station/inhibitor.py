@@ -13,8 +13,8 @@ from collections.abc import Callable
 from typing import Protocol
 
 from birdcage.station.events import ActivityChanged, Event, PursuitChanged
-from birdcage.station.pursuit import Phase
-from birdcage.station.state import MOVING, RAW_COMMAND, Activity, Link
+from birdcage.station.pursuit_state import Phase
+from birdcage.station.state import MOVING, RAW_COMMAND, Activity, LinkPhase
 from birdcage.station.station import Station
 
 AFTER_S = 10.0
@@ -123,7 +123,7 @@ class SleepInhibitor:
     def _still_raw(self) -> bool:
         """Return whether the dish may still move from a raw line, and STOP can reach it."""
         state = self._station.state
-        return state.raw_motion and state.link.state is Link.UP
+        return state.raw_motion and state.link.state is LinkPhase.UP
 
     def _run(self) -> None:
         hold: Hold | None = None

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.geometry import shortest_turn
-from birdcage.station.state import Activity, Link, StationState
+from birdcage.station.state import Activity, LinkPhase, StationState
 
 AS_BEFORE_DEG = 0.5
 """How far it may stand from where its last motion led."""
@@ -50,7 +50,7 @@ class Interruption:
     def is_as_before(self, state: StationState, within_s: float) -> bool:
         """Return whether the gap was short, and the dish is seen at rest where it must be."""
         here, link, rest_az, rest_el = state.position, state.link, self.rest_az_deg, self.rest_el_deg
-        if self.reason != "link" or link.state is not Link.UP or link.since - self.at > within_s:
+        if self.reason != "link" or link.state is not LinkPhase.UP or link.since - self.at > within_s:
             return False
         if state.fault is not None or not state.homed or state.activity is not Activity.IDLE:
             return False

@@ -8,7 +8,7 @@ from birdcage.link.opening import has_speed
 from birdcage.link.ports import PortInfo, list_ports
 from birdcage.link.system import Hindrance, SystemFacts, look_at_system
 from birdcage.rotator import machines
-from birdcage.rotator.facts import Facts, SearchSetting, SearchSwitch, Turn
+from birdcage.rotator.facts import CableTurn, Facts, SearchSetting, SearchSwitch
 from birdcage.rotator.feature import speed_of
 from birdcage.rotator.own import laid_by_owner
 
@@ -16,8 +16,21 @@ if TYPE_CHECKING:
     from birdcage.base.config import Settings
 
 __all__ = [
-    "Facts", "Hindrance", "PortInfo", "SearchSetting", "SearchSwitch", "SystemFacts", "Turn", "has_speed",
-    "list_firmwares", "list_models", "list_ports", "look_at_system", "model_of", "speed_of", "wrong_facts",
+    "CableTurn",
+    "Facts",
+    "Hindrance",
+    "PortInfo",
+    "SearchSetting",
+    "SearchSwitch",
+    "SystemFacts",
+    "has_speed",
+    "list_firmwares",
+    "list_models",
+    "list_ports",
+    "look_at_system",
+    "model_of",
+    "speed_of",
+    "wrong_facts",
 ]  # fmt: skip
 
 

@@ -11,11 +11,11 @@ from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, NoReply, Stopped
 from birdcage.rotator.raw import RawAnswer, RawExchange, RawLines
 from birdcage.rotator.verdict import Verdict
-from birdcage.station.board import Board
-from birdcage.station.look import Look
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.raw import RawReply
 from birdcage.station.raw_effects import RawEffects
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
+from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
 
 LONGEST_S = 60.0
@@ -27,7 +27,7 @@ PROMPT_S = 0.3
 
 
 @dataclass(slots=True)
-class Line:
+class SentLine:
     """What went out, who waits for it, and what to put back should the dish refuse it."""
 
     raw: RawLines
@@ -48,15 +48,15 @@ class LineUnderWay:
     """At most one. Its future is resolved when the answer came, or when something else ended it."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, stopper: Stopper, look: Look, effects: RawEffects
+        self, store: StateStore, antenna: BirdcageAntenna, stopper: Stopper, reader: DishReader, effects: RawEffects
     ) -> None:
-        self._board, self._antenna = board, antenna
-        self._stopper, self._look, self._effects = stopper, look, effects
-        self._line: Line | None = None
+        self._store, self._antenna = store, antenna
+        self._stopper, self._reader, self._effects = stopper, reader, effects
+        self._line: SentLine | None = None
         self.answered_at = -math.inf
         """When the last answer came, in monotonic seconds."""
 
-    def begin(self, line: Line) -> None:
+    def begin(self, line: SentLine) -> None:
         """A line has gone out. There is no other."""
         self._line = line
 
@@ -78,7 +78,7 @@ class LineUnderWay:
             return
         if (answer := line.typed.answer) is not None:
             self._answered(line, answer)
-        elif self._board.clock.monotonic() >= line.ends_at:
+        elif self._store.clock.monotonic() >= line.ends_at:
             self._end_by_key(line)
         else:
             raise self._unanswered(line)
@@ -88,7 +88,7 @@ class LineUnderWay:
         line = self._line
         if line is None:
             return
-        if line.verdict.takes_s > 0 and not line.verdict.streams and self._board.clock.monotonic() < line.typed.due:
+        if line.verdict.takes_s > 0 and not line.verdict.streams and self._store.clock.monotonic() < line.typed.due:
             raise CommandRefused(f"The dish is still at `{line.text}`. Wait, or STOP.", reason="busy")
         self.finish()
 
@@ -98,7 +98,7 @@ class LineUnderWay:
         if line is None:
             return
         if not line.verdict.streams:
-            left_s = line.typed.due - self._board.clock.monotonic()
+            left_s = line.typed.due - self._store.clock.monotonic()
             try:
                 answer = line.typed.wait(left_s if line.verdict.homes else min(left_s, PROMPT_S))
             except BaseException as error:
@@ -114,7 +114,7 @@ class LineUnderWay:
         line, self._line = self._line, None
         if line is None:
             return
-        if line.typed.answer is None and self._antenna.is_connected and self._board.state.link.state is Link.UP:
+        if line.typed.answer is None and self._antenna.is_connected and self._store.state.link.state is LinkPhase.UP:
             try:
                 line.typed.end()
             except LinkError as error:
@@ -130,7 +130,7 @@ class LineUnderWay:
 
     # How it is done: nothing below is called from outside.
 
-    def _end_by_key(self, line: Line) -> None:
+    def _end_by_key(self, line: SentLine) -> None:
         try:
             line.typed.end()
             answer = line.typed.wait(line.raw.delay_s)
@@ -141,21 +141,21 @@ class LineUnderWay:
             raise self._unanswered(line)
         self._answered(line, answer, by_key=line.raw.has_prompt)
 
-    def _unanswered(self, line: Line) -> NoReply:
+    def _unanswered(self, line: SentLine) -> NoReply:
         silence = line.typed.give_up()
         self._failed(line, silence)
         return silence
 
-    def _failed(self, line: Line, error: BaseException) -> None:
+    def _failed(self, line: SentLine, error: BaseException) -> None:
         self._line = None
         self.homing_ends()
         line.future.set_exception(
             error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason="closing")
         )
 
-    def _answered(self, line: Line, answer: RawAnswer, *, by_key: bool = False) -> None:
-        self._line, self.answered_at = None, self._board.clock.monotonic()
-        self._look.elsewhere = answer.place != line.raw.home
+    def _answered(self, line: SentLine, answer: RawAnswer, *, by_key: bool = False) -> None:
+        self._line, self.answered_at = None, self._store.clock.monotonic()
+        self._reader.elsewhere = answer.place != line.raw.home
         self.homing_ends()
         if answer.refused and line.model is not None and self._antenna.motion is line.model:
             self._antenna.motion = line.model_before

@@ -15,10 +15,10 @@ from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Position
-from birdcage.station.board import Board
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
-from birdcage.station.look import Look
 from birdcage.station.state import MOVING, Activity, Motion, Pointing
+from birdcage.station.state_store import StateStore
 
 POLL_S = 0.1
 ARRIVED_DEG = 0.08
@@ -68,8 +68,8 @@ class Job:
 class Mover(ABC):
     """Latest wins: a new target supersedes the motion under way."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look) -> None:
-        self._board, self._antenna, self._look = board, antenna, look
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader) -> None:
+        self._store, self._antenna, self._reader = store, antenna, reader
         self._job: Job | None = None
         self.due: float | None = None
         """When to look at the motion next; None while nothing moves."""
@@ -83,10 +83,10 @@ class Mover(ABC):
 
     def busy(self) -> None:
         """The dish does not answer a motor command: it waits for the motor that runs."""
-        shown = self._board.state.motion
-        if self._job is not None and shown is not None and self._board.state.activity is Activity.SLEWING:
+        shown = self._store.state.motion
+        if self._job is not None and shown is not None and self._store.state.activity is Activity.SLEWING:
             # STOP is not read either before that motor stands.
-            self._board.change(motion=replace(shown, stop_means=StopMeans.NONE, stop_power_s=None, rests_at=None))
+            self._store.change(motion=replace(shown, stop_means=StopMeans.NONE, stop_power_s=None, rests_at=None))
             self.activity(Activity.SLEWING, BUSY)
 
     @property
@@ -116,13 +116,13 @@ class Mover(ABC):
         """Follow a motion of the firmware's own until the dish rests."""
         job.to_rest = True
         self.forget_target()
-        self._job, self.due = job, self._board.clock.monotonic() + POLL_S
+        self._job, self.due = job, self._store.clock.monotonic() + POLL_S
 
     def await_stream_end(self) -> None:
         """Follow a dish that was sent one target after the other until it rests at, or near, the last one."""
-        moves = self._antenna.motion is not None or self._board.state.activity in MOVING
+        moves = self._antenna.motion is not None or self._store.state.activity in MOVING
         if self._job is None and moves:
-            self.await_rest(Job(0.0, 0.0, self._board.state.holder or "", Future()))
+            self.await_rest(Job(0.0, 0.0, self._store.state.holder or "", Future()))
             self.activity(Activity.SLEWING, "")
 
     def tick(self) -> None:
@@ -136,38 +136,38 @@ class Mover(ABC):
             self._follow(job)
 
     def _follow_to_rest(self, job: Job) -> None:
-        pointing, now = self._read(job), self._board.clock.monotonic()
-        long_enough_s = max(REST_S / self._board.clock.rate, 3 * POLL_S)
+        pointing, now = self._read(job), self._store.clock.monotonic()
+        long_enough_s = max(REST_S / self._store.clock.rate, 3 * POLL_S)
         if pointing is not None and job.still_since is not None and now - job.still_since >= long_enough_s:
             self._arrive(job, pointing)
 
     def _read(self, job: Job) -> Pointing | None:
         """Read where the dish is, and note since when it stands still; None when it is not known now."""
         try:
-            pointing = self._look.position()
+            pointing = self._reader.position()
         except NoReply as damage:
             if job.damaged or self._job is not job or damage.reason not in DAMAGE:
                 raise
-            job.damaged, self.due = True, self._board.clock.monotonic() + POLL_S
+            job.damaged, self.due = True, self._store.clock.monotonic() + POLL_S
             return None
         if self._job is not job:
             return None  # STOP was taken in the middle of the exchange
         job.damaged = False
-        if self._board.state.activity_text == BUSY:
+        if self._store.state.activity_text == BUSY:
             self.activity(Activity.SLEWING, "")
-        now = self._board.clock.monotonic()
+        now = self._store.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None:
             self.fail(End.FAULT, "the dish no longer knows where it is", Stopped("The dish lost its position."))
             return None
-        still = job.last is not None and self._look.is_still(pointing, job.last)
+        still = job.last is not None and self._reader.is_still(pointing, job.last)
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
         return pointing
 
     def _ends_untaken(self, job: Job, pointing: Pointing) -> bool:
         """End a motion that the dish has not taken: what it answered is not known, and it has stood still since."""
-        antenna, motion, now = self._antenna, self._antenna.motion, self._board.clock.monotonic()
+        antenna, motion, now = self._antenna, self._antenna.motion, self._store.clock.monotonic()
         if job.still_since is None or motion is None or now < job.answered + UNTAKEN_S:
             return False
         answers = antenna.commands.not_taken(Position(pointing.dish_az_deg, pointing.dish_el_deg), motion)
@@ -184,7 +184,7 @@ class Mover(ABC):
 
     def _is_stuck(self, job: Job, eta: float) -> bool:
         """Return whether the dish has stood still for too long after it should have moved."""
-        clock = self._board.clock
+        clock = self._store.clock
         since = job.still_since
         return since is not None and clock.monotonic() > max(eta, since) + max(STALL_S / clock.rate, 3 * POLL_S)
 
@@ -195,23 +195,23 @@ class Mover(ABC):
         """Follow a motion from now on, and show it."""
         job.az_deg, job.el_deg = commanded
         self._job, self._last_follow = job, (job.holder, now) if job.follow else None
-        self.due = self._board.clock.monotonic() + POLL_S
+        self.due = self._store.clock.monotonic() + POLL_S
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
             power.seconds, power.means, stop_proven=power.proven, to_skew_deg=job.skew_deg, rests_at=power.rests_at,
             eta_known=self._antenna.motion is None or self._antenna.motion.eta_known,
             az_way_deg=self._way(commanded) if job.skew_deg is None else 0.0,
         )  # fmt: skip
-        self._board.change(motion=shown)
+        self._store.change(motion=shown)
         if job.skew_deg is not None:
-            self._board.change(target_skew_deg=job.skew_deg)
+            self._store.change(target_skew_deg=job.skew_deg)
         else:
             self.target = commanded
-            self._board.change(
+            self._store.change(
                 target_az_deg=commanded[0], target_el_deg=commanded[1], target_miss_deg=job.miss_deg
             )  # fmt: skip
         self.activity(Activity.SLEWING, "")
-        self._board.tell(MoveStarted(*self._board.stamp(), shown, job.holder))
+        self._store.tell(MoveStarted(*self._store.stamp(), shown, job.holder))
 
     def _way(self, commanded: tuple[float, float]) -> float | None:
         """Return how far the azimuth will turn; None if it may go either way round."""
@@ -220,7 +220,7 @@ class Mover(ABC):
 
     def _update_shown(self, shown: Motion, eta: float, power: StopPower) -> None:
         """Show when it should be there, which way it turns, and what stops it."""
-        self._board.change(
+        self._store.change(
             motion=replace(
                 shown, eta=eta, stop_power_s=power.seconds, stop_means=power.means, stop_proven=power.proven,
                 rests_at=power.rests_at, az_way_deg=self._seen_way(shown),
@@ -240,14 +240,14 @@ class Mover(ABC):
 
     def _is_stream(self, job: Job) -> bool:
         """Return whether a target follows another one of its holder's closely."""
-        last, now = self._last_follow, self._board.clock.monotonic()
+        last, now = self._last_follow, self._store.clock.monotonic()
         return job.follow and last is not None and last[0] == job.holder and now - last[1] < STREAM_S
 
     def _tell_progress(self, job: Job, pointing: Pointing, left_s: float) -> None:
         to_go = separation(pointing.az_deg, pointing.el_deg, job.az_deg, job.el_deg)
         if job.skew_deg is not None and pointing.skew_deg is not None:
             to_go = abs(job.skew_deg - pointing.skew_deg)
-        self._board.tell(MoveProgress(*self._board.stamp(), pointing, to_go, max(0.0, left_s)))
+        self._store.tell(MoveProgress(*self._store.stamp(), pointing, to_go, max(0.0, left_s)))
 
     def stuck(self, sentence: str) -> None:
         """The dish does not get to its target: end the motion and raise the fault."""
@@ -257,10 +257,10 @@ class Mover(ABC):
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
         self._job, self.due, self._antenna.motion = None, None, None
-        self._board.change(motion=None)
+        self._store.change(motion=None)
         self.activity(Activity.IDLE, "")
         try:
-            self._board.tell(MoveEnded(*self._board.stamp(), End.ARRIVED, "arrived", pointing, job.miss_deg))
+            self._store.tell(MoveEnded(*self._store.stamp(), End.ARRIVED, "arrived", pointing, job.miss_deg))
         finally:
             job.future.set_result(pointing)
 
@@ -273,7 +273,7 @@ class Mover(ABC):
     def forget_target(self) -> None:
         """The dish does not go, or no longer stands, where it was sent: the next step is from where it is."""
         self.target = None
-        self._board.change(target_az_deg=None, target_el_deg=None, target_miss_deg=0.0, target_skew_deg=None)
+        self._store.change(target_az_deg=None, target_el_deg=None, target_miss_deg=0.0, target_skew_deg=None)
 
     def _end(self, end: End, sentence: str, error: BirdcageError) -> None:
         job, self._job = self._job, None
@@ -281,19 +281,19 @@ class Mover(ABC):
             return
         if end is not End.SUPERSEDED:
             # The antenna keeps its model: the dish may still be on its way, and STOP needs it.
-            self._board.change(motion=None)
+            self._store.change(motion=None)
         try:
-            self._board.tell(MoveEnded(*self._board.stamp(), end, sentence, self._board.state.position))
+            self._store.tell(MoveEnded(*self._store.stamp(), end, sentence, self._store.state.position))
         finally:
             if not job.future.done():
                 job.future.set_exception(error)
 
     def activity(self, activity: Activity, text: str) -> None:
         """Say what the dish is doing."""
-        state = self._board.state
+        state = self._store.state
         if state.activity is activity and state.activity_text == text:
             return
-        at, utc = self._board.stamp()
+        at, utc = self._store.stamp()
         since = state.activity_since if state.activity is activity else at
-        self._board.change(activity=activity, activity_text=text, activity_since=since)
-        self._board.tell(ActivityChanged(at, utc, activity, text))
+        self._store.change(activity=activity, activity_text=text, activity_since=since)
+        self._store.tell(ActivityChanged(at, utc, activity, text))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import logging
 
 from birdcage.link.transcript import Transcript
-from birdcage.link.transcript_line import Entry
+from birdcage.link.transcript_line import TranscriptEntry
 from birdcage.station.events import (
     ActivityChanged,
     Event,
@@ -35,7 +35,7 @@ def narrate(station: Station, transcript: Transcript) -> None:
     transcript.listen(_pass_on)
 
 
-def _pass_on(entry: Entry) -> None:
+def _pass_on(entry: TranscriptEntry) -> None:
     if wire.isEnabledFor(logging.DEBUG):
         wire.debug("%s %s", entry.direction, entry.text)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.interruption import SENTENCES
-from birdcage.station.pursuit import Phase, Pursuit, PursuitOptions
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.state import Fault, HeldState
 
 REPLACED = "Another pursuit replaced it."

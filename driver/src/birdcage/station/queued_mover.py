@@ -11,12 +11,12 @@ from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.ladder import StopMeans
-from birdcage.station.board import Board
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
-from birdcage.station.look import Look
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
-from birdcage.station.silence import MARGIN_S, Silence
+from birdcage.station.silent_slew_watch import MARGIN_S, SilentSlewWatch
 from birdcage.station.state import Activity, Pointing
+from birdcage.station.state_store import StateStore
 
 STILL_S = 0.3
 """How long the readings must agree where it is not known beforehand where the dish comes to rest."""
@@ -27,10 +27,10 @@ ASTRAY_S = 20.0
 class QueuedMover(Mover):
     """Follows a motion leg by leg. A newer target waits until the leg under way has ended, or was aborted."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, look: Look) -> None:
-        super().__init__(board, antenna, look)
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader) -> None:
+        super().__init__(store, antenna, reader)
         self._sender = LegSender(antenna)
-        self._silence = Silence(board, antenna)
+        self._slew_watch = SilentSlewWatch(store, antenna)
         self._legs: deque[Leg] | None = None
         """What is left of the present motion after the leg under way; None while it waits to be planned."""
         self._plans = 0
@@ -48,7 +48,7 @@ class QueuedMover(Mover):
             job.az_deg, job.el_deg = antenna.alignment.to_true(*dish)
             # Where one that does not tell would end is not known: its motion runs out.
             if under_way.silent and antenna.strategy.reads_position and not self._ends_near(under_way, *dish):
-                self._silence.end()
+                self._slew_watch.end()
         self._begin_job(job, asked)
 
     def check_skew(self, deg: float) -> None:
@@ -69,7 +69,7 @@ class QueuedMover(Mover):
 
     def _begin_job(self, job: Job, asked: tuple[bool, bool]) -> None:
         """Send the first leg, at rest; else note what comes next. The motion before is superseded by either."""
-        now, start, before = self._board.clock.monotonic(), self._board.state.position, self._job
+        now, start, before = self._store.clock.monotonic(), self._store.state.position, self._job
         rests = self._antenna.motion is None
         legs = self._plan(job, asked) if rests else None
         if legs:
@@ -80,8 +80,8 @@ class QueuedMover(Mover):
         if permit is not None:
             permit()  # STOP may have come with the last answer: it has ended this motion
         self._legs, self._plans, self._asked = legs, int(rests), asked
-        power = self._antenna.strategy.power(self._antenna.motion, self._board.clock.rate)
-        start = start or self._board.state.position
+        power = self._antenna.strategy.power(self._antenna.motion, self._store.clock.rate)
+        start = start or self._store.state.position
         self._begin(job, (job.az_deg, job.el_deg), start, now, self._eta(job), power)  # fmt: skip
 
     def _plan(self, job: Job, asked: tuple[bool, bool]) -> deque[Leg]:
@@ -93,19 +93,19 @@ class QueuedMover(Mover):
             else:
                 way = self._sender.plan(job.az_deg, job.el_deg, clamp=clamp, leapfrog=leapfrog)
         except PositionUnknown as unknown:
-            self._look.unknown(unknown)
+            self._reader.unknown(unknown)
             raise
         job.az_deg, job.el_deg = way.az_deg, way.el_deg
         return deque(way.legs)
 
     def _send(self, job: Job, leg: Leg) -> None:
         job.last = job.still_since = None
-        self._silence.begin()
+        self._slew_watch.begin()
         self._sender.send(leg)
-        job.answered = self._board.clock.monotonic()
+        job.answered = self._store.clock.monotonic()
 
     def _follow(self, job: Job) -> None:
-        self.due = self._board.clock.monotonic() + POLL_S
+        self.due = self._store.clock.monotonic() + POLL_S
         motion = self._antenna.motion
         if motion is None:
             self._go_on(job)
@@ -117,15 +117,15 @@ class QueuedMover(Mover):
     def _slew_is_over(self, job: Job, motion: DishMotion) -> bool:
         """Return whether a silent slew has given its prompt; show where the model has the dish until then."""
         try:
-            if not self._silence.lasts(motion):
-                return self._silence.has_prompt()
-            if self._antenna.reckoning.told_in(motion) and self._is_astray(motion, self._board.clock.monotonic()):
+            if not self._slew_watch.lasts(motion):
+                return self._slew_watch.has_prompt()
+            if self._antenna.reckoning.told_in(motion) and self._is_astray(motion, self._store.clock.monotonic()):
                 self._astray()
                 return False
         except CommandRefused as refused:
             self._refused(job, refused)
             return False
-        pointing = self._look.modelled()
+        pointing = self._reader.modelled()
         if pointing is not None:
             if not pointing.modelled:
                 self._show(job)
@@ -141,13 +141,13 @@ class QueuedMover(Mover):
         self.fail(End.REFUSED, str(refused), refused)
         self._antenna.motion = None
         self.activity(Activity.IDLE, "")
-        self._look.position()  # what was shown of a slew that never began is where it should have been
+        self._reader.position()  # what was shown of a slew that never began is where it should have been
 
     def _follow_leg(self, job: Job, motion: DishMotion) -> None:
         """Watch one axis, which rests at its target or is stuck."""
         # One reading says nothing about motion: what a pursuit has sent may be over long before anybody looks.
         seen_before = job.last is not None
-        pointing, clock = self._read(job), self._board.clock
+        pointing, clock = self._read(job), self._store.clock
         if pointing is None:
             return
         now, eta = clock.monotonic(), motion.eta(clock.rate)
@@ -171,7 +171,7 @@ class QueuedMover(Mover):
 
     def _follow_to_its_rest(self, job: Job, motion: DishMotion) -> None:
         """After a silent slew: wherever it ends."""
-        pointing, clock = self._read(job), self._board.clock
+        pointing, clock = self._read(job), self._store.clock
         if pointing is None:
             return
         now = clock.monotonic()
@@ -184,7 +184,7 @@ class QueuedMover(Mover):
 
     def _is_astray(self, motion: DishMotion, now: float) -> bool:
         began = max(axis.started for axis in (motion.azimuth, motion.elevation, motion.skew) if axis is not None)
-        return now > began + ASTRAY_S + motion.longest_s / self._board.clock.rate
+        return now > began + ASTRAY_S + motion.longest_s / self._store.clock.rate
 
     def _astray(self) -> None:
         sentence = "The dish still moves after the end of its motion."
@@ -194,7 +194,7 @@ class QueuedMover(Mover):
 
     def _leg_over(self, job: Job) -> None:
         self._antenna.motion = None
-        self._antenna.reckoning.end(self._board.clock.monotonic())
+        self._antenna.reckoning.end(self._store.clock.monotonic())
         self._go_on(job)
 
     def _go_on(self, job: Job) -> None:
@@ -211,7 +211,7 @@ class QueuedMover(Mover):
         except (CommandRefused, MotionRefused) as refused:
             self._refused(job, refused)
             return
-        pointing = self._board.state.position
+        pointing = self._store.state.position
         if pointing is None or self._job is not job:
             return
         off_deg = self._away_deg(job, pointing)
@@ -227,7 +227,7 @@ class QueuedMover(Mover):
                 f"The dish last told that it was at {pointing.az_text}/{pointing.el_deg:.2f}°, {off_deg:.2f}° from its "
                 "target, and tells no more."
             )
-            self._look.position()  # where it stands is not known
+            self._reader.position()  # where it stands is not known
 
     def _replan(self, job: Job) -> None:
         legs = self._plan(job, self._asked)
@@ -247,7 +247,7 @@ class QueuedMover(Mover):
 
     def _eta(self, job: Job) -> float:
         """Return when the dish should be there: the leg under way and all that are to come."""
-        clock, motion = self._board.clock, self._antenna.motion
+        clock, motion = self._store.clock, self._antenna.motion
         now = clock.monotonic()
         reckoning = self._antenna.reckoning
         told = None if motion is None else reckoning.told_in(motion)
@@ -264,7 +264,7 @@ class QueuedMover(Mover):
         return rests_at + self._sender.seconds(start, job.az_deg, job.el_deg) / clock.rate
 
     def _show(self, job: Job) -> None:
-        shown, clock = self._board.state.motion, self._board.clock
+        shown, clock = self._store.state.motion, self._store.clock
         if shown is None:
             return
         power, eta = self._antenna.strategy.power(self._antenna.motion, clock.rate), self._eta(job)

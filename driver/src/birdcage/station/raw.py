@@ -5,13 +5,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.link.transcript_join import LineJoiner
-from birdcage.link.transcript_line import Direction, Entry, format_line, printable
+from birdcage.link.transcript_line import Direction, TranscriptEntry, format_line, printable
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.raw_mark import RawMark, parse_mark
 
 __all__ = [
-    "CONSOLE", "IDLE_S", "Direction", "Entry", "Grade", "LineJoiner", "MenuCommand", "RawMark", "RawReply", "Verdict",
-    "format_line", "parse_mark", "printable",
+    "CONSOLE",
+    "IDLE_S",
+    "Direction",
+    "Grade",
+    "LineJoiner",
+    "MenuCommand",
+    "RawMark",
+    "RawReply",
+    "TranscriptEntry",
+    "Verdict",
+    "format_line",
+    "parse_mark",
+    "printable",
 ]  # fmt: skip
 
 CONSOLE = "console"

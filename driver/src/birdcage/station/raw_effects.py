@@ -8,21 +8,21 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 from birdcage.rotator.verdict import Grade, Verdict
-from birdcage.station.board import Board
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
 from birdcage.station.raw_mark import RawMark
-from birdcage.station.state import RAW_COMMAND, Activity, Search
+from birdcage.station.state import RAW_COMMAND, Activity, TvSearch
+from birdcage.station.state_store import StateStore
 
 
 class RawEffects:
-    """Keeps board, gate and model true while somebody types past them."""
+    """Keeps state, gate and model true while somebody types past them."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, mover: Mover, remark: Callable[[str], None],
+        self, store: StateStore, antenna: BirdcageAntenna, mover: Mover, remark: Callable[[str], None],
         on_line: Callable[[str], None],
     ) -> None:  # fmt: skip
-        self._board, self._antenna, self._mover, self._remark = board, antenna, mover, remark
+        self._store, self._antenna, self._mover, self._remark = store, antenna, mover, remark
         self._on_line = on_line
         self._homed: set[int] = set()
         self._homed_before: bool | None = None
@@ -40,7 +40,7 @@ class RawEffects:
         """Put a remark into the transcript, in plain ASCII, and tell it to listeners."""
         text = text.replace("°", " deg")
         self._remark(text)
-        self._board.tell(TranscriptLine(*self._board.stamp(), "#", text))
+        self._store.tell(TranscriptLine(*self._store.stamp(), "#", text))
 
     def announce(self, line: str, verdict: Verdict, holder: str) -> None:
         """Mark a raw line before its bytes go out."""
@@ -59,7 +59,7 @@ class RawEffects:
         sent = None if verdict.aim is None else verdict.aim.single
         if sent is None or verdict.limit or verdict.grade is not Grade.MOVES or self.resurvey:
             return None  # `resurvey`: at which speed it goes is not known any more
-        antenna, gate, clock = self._antenna, self._antenna.gate, self._board.clock
+        antenna, gate, clock = self._antenna, self._antenna.gate, self._store.clock
         (axis, angle), under_way = sent, antenna.motion
         start, velocity, now = gate.position, (0.0, 0.0), clock.monotonic()
         if under_way is not None:
@@ -81,7 +81,7 @@ class RawEffects:
 
         An undocumented one is mostly a mistype, which the dish refuses: that has its time until `taken`.
         """
-        self._homed_before = self._board.state.homed
+        self._homed_before = self._store.state.homed
         if verdict.listed:
             self._forget(verdict)
         elif verdict.grade >= Grade.MOVES:
@@ -97,7 +97,7 @@ class RawEffects:
             self._homed.add(axis)
         axes = {gate.model.azimuth.index, gate.model.elevation.index}
         if verdict.homes and (self._homed_before or axes <= self._homed):
-            self._board.change(homed=True)
+            self._store.change(homed=True)
 
     def hear(self, boot_lines: Iterable[str], verdict: Verdict) -> None:
         """Pass on boot text in an answer: a dish that restarts in the middle of it has forgotten everything."""
@@ -120,17 +120,17 @@ class RawEffects:
             gate.forget("raw")
             if "turn" not in forgets:
                 gate.cable_deg, gate.remembers_cable = cable_deg, remembers
-            turn = gate.model.turn if gate.cable_deg is None else self._board.state.turn
-            self._board.change(position_lost=RAW_COMMAND, turn=turn)
+            turn = gate.model.turn if gate.cable_deg is None else self._store.state.turn
+            self._store.change(position_lost=RAW_COMMAND, turn=turn)
         if "homed" in forgets:
             if not verdict.homes:
                 self._homed.clear()
-            self._board.change(homed=None)
+            self._store.change(homed=None)
             if verdict.restarts:
                 gate.released.clear()  # a dish that starts finds its references, or says that it has none
             elif not verdict.homes:
                 gate.release()  # what it reports from now on may not be where it is
-                self._board.change(position_lost=RAW_COMMAND)
+                self._store.change(position_lost=RAW_COMMAND)
         if "search" in forgets:
-            self._board.change(search=Search.UNKNOWN)
+            self._store.change(search=TvSearch.UNKNOWN)
         self.resurvey = self.resurvey or bool(forgets & {"limits", "search", "settings"})

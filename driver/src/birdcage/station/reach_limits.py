@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.beam import Beam, beam_of
 from birdcage.rotator.axis import Axis
-from birdcage.rotator.facts import Facts, Turn
+from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.reach_limits import DEFAULT_TOLERANCE_DEG, NoGo, ReachLimits
 from birdcage.station.settings import rules_from
@@ -69,7 +69,7 @@ def reach_limits_of(state: StationState, settings: Settings) -> ReachLimits:
         cable_min_deg=low,
         cable_max_deg=high,
         az_offset_deg=state.az_offset_deg,
-        turn_known=state.turn is not Turn.UNKNOWN or (model is not None and not model.cable_known),
+        turn_known=state.turn is not CableTurn.UNKNOWN or (model is not None and not model.cable_known),
         az_rate_deg_s=None if model is None else _rate(model.azimuth),
         el_rate_deg_s=None if model is None else _rate(model.elevation),
         tolerance_deg=_tolerance(state.beam),

@@ -1,10 +1,10 @@
-"""The station's state as plain values: what `birdcage status --json` and the doorbell tell."""
+"""The station's state as plain values: what `birdcage status --json` and the control channel tell."""
 
 from __future__ import annotations
 
-from birdcage.rotator.facts import Turn
+from birdcage.rotator.facts import CableTurn
 from birdcage.station.gear_words import gear_values
-from birdcage.station.state import Activity, HeldState, Link, Search, StationState, StopReport
+from birdcage.station.state import Activity, HeldState, LinkPhase, StationState, StopReport, TvSearch
 from birdcage.station.stop_words import stop_line
 
 Value = str | float | bool | None
@@ -20,7 +20,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
     pointing = state.position if state.position_lost is None else None
     motion, held, dish = state.motion, state.held, state.dish
     return {
-        "connected": state.link.state is Link.UP,
+        "connected": state.link.state is LinkPhase.UP,
         "link": state.link.state.value,
         "link_detail": state.link.detail or None,
         "last_reply_age_s": _age(state.link.last_reply, now),
@@ -51,8 +51,8 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "held_trouble": state.held_trouble or (held.damage if held else "") or None,
         "fault": state.fault.what if state.fault else None,
         "motion_refused_because": state.motion_refused_because or (dish.no_direction if dish else "") or None,
-        "search": None if state.search is Search.UNKNOWN else state.search.value,
-        "turn_of_cable": None if state.turn is Turn.UNKNOWN else state.turn.value,
+        "search": None if state.search is TvSearch.UNKNOWN else state.search.value,
+        "turn_of_cable": None if state.turn is CableTurn.UNKNOWN else state.turn.value,
         "alignment": state.alignment.words() or None,
         "gear": gear_values(state.own),
         "cable_deg": _rounded(pointing.cable_deg) if pointing and pointing.cable_deg is not None else None,

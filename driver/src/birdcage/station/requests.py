@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.config import Settings
 from birdcage.rotator.feature import Value
 from birdcage.rotator.verdict import Grade
-from birdcage.station.pursuit import PursuitOptions
+from birdcage.station.pursuit_state import PursuitOptions
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan

@@ -11,13 +11,13 @@ from birdcage.detection.clues import known_tokens
 from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw, probe
 from birdcage.link.opening import has_speed
 from birdcage.rotator.values import Survey
-from birdcage.station.board import Board
 from birdcage.station.connection import Connection
-from birdcage.station.look import Look
+from birdcage.station.dish_monitor import DishMonitor
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import MOVING, Link, Search
+from birdcage.station.state import MOVING, LinkPhase, TvSearch
+from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
-from birdcage.station.vigil import Vigil
 
 PROBE_DEADLINE_S = 20.0
 """No further rate is tried after this: `rfc2217://` may take 3 s to open, each time."""
@@ -27,11 +27,11 @@ class Rewire:
     """Serves `ProbePort` and `Connect`. The port is closed for both, so neither is done while the dish moves."""
 
     def __init__(
-        self, board: Board, antenna: BirdcageAntenna, settings: StationSettings, connection: Connection,
-        stopper: Stopper, look: Look, vigil: Vigil, wake: Wake, on_wake: Callable[[], None],
+        self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings, connection: Connection,
+        stopper: Stopper, reader: DishReader, monitor: DishMonitor, wake: Wake, on_wake: Callable[[], None],
     ) -> None:  # fmt: skip
-        self._board, self._antenna, self._settings = board, antenna, settings
-        self._connection, self._stopper, self._look, self._vigil = connection, stopper, look, vigil
+        self._store, self._antenna, self._settings = store, antenna, settings
+        self._connection, self._stopper, self._reader, self._monitor = connection, stopper, reader, monitor
         self._wake, self._on_wake = wake, on_wake
 
     def probe(self, bauds: tuple[int, ...] = ()) -> tuple[BaudFinding, ...]:
@@ -45,7 +45,7 @@ class Rewire:
         self._refuse_while_moving("The port is not probed")
         port = self._connection.find()
         if port is None:
-            raise LinkError(f"{self._board.state.port} is not there: plug it in.", reason="missing")
+            raise LinkError(f"{self._store.state.port} is not there: plug it in.", reason="missing")
         present = self._connection.baud
         rates = dict.fromkeys((present, *(bauds or USUAL_BAUDS))) if has_speed(port) else (present,)
         self._connection.let_go()
@@ -55,7 +55,7 @@ class Rewire:
             self._connection.begin()
 
     def _listen(self, port: str, rates: Iterable[int]) -> tuple[BaudFinding, ...]:
-        clock, stops_before = self._board.clock, self._stopper.count
+        clock, stops_before = self._store.clock, self._stopper.count
         tokens = known_tokens()
         until = clock.monotonic() + PROBE_DEADLINE_S
         findings: list[BaudFinding] = []
@@ -88,15 +88,15 @@ class Rewire:
         self._refuse_while_moving("The port is not changed")
         gate = self._antenna.gate
         # The same port has most likely the same dish: that its motors were released must not be forgotten then.
-        released = set(gate.released) if port in (self._board.state.port, self._connection.asked_port) else set()
+        released = set(gate.released) if port in (self._store.state.port, self._connection.asked_port) else set()
         self._connection.let_go()
         self._connection.use(port, baud)
-        self._vigil.expect_another_dish()
+        self._monitor.expect_another_dish()
         gate.released = released
         self._antenna.strategy.forget_learnt()
-        self._look.limit(Survey())
-        self._board.forget_readings()
-        self._board.change(position=None, search=Search.UNKNOWN, firmware_version=None)
+        self._reader.limit(Survey())
+        self._store.forget_readings()
+        self._store.change(position=None, search=TvSearch.UNKNOWN, firmware_version=None)
         self._connection.begin()
 
     def _refuse_while_moving(self, so: str) -> None:
@@ -104,12 +104,12 @@ class Rewire:
             raise BirdcageError(f"{so} while the dish moves: STOP would not reach it meanwhile.", reason="moving")
 
     def _is_moving(self) -> bool:
-        state, motion = self._board.state, self._antenna.motion
+        state, motion = self._store.state, self._antenna.motion
         match state.link.state:
-            case Link.UP:
+            case LinkPhase.UP:
                 return motion is not None or state.activity in MOVING or state.raw_motion
-            case Link.SILENT:
+            case LinkPhase.SILENT:
                 # STOP may still reach it. No reading will show it arrive: its motion counts until it must have ended.
-                clock = self._board.clock
+                clock = self._store.clock
                 return motion is not None and clock.monotonic() < motion.over_by(clock.rate)
         return False

@@ -9,10 +9,10 @@ from collections.abc import Callable
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
 from birdcage.link.transcript import Transcript
-from birdcage.link.transcript_line import Entry
+from birdcage.link.transcript_line import TranscriptEntry
 from birdcage.station.state import Pointing
 from birdcage.station.station import Station
-from birdcage.station.stop_pending import Reach
+from birdcage.station.stop_pending import StopReach
 
 QUIT_S = 0.15
 """How long closing may wait for the thread: STOP's bytes leave in 3 ms, their answers take a few more."""
@@ -47,7 +47,7 @@ class Session:
         self._thread = threading.Thread(target=self._run, name="station", daemon=True)
         self._thread.start()
 
-    def on_wire(self, listener: Callable[[Entry], None]) -> Callable[[], None]:
+    def on_wire(self, listener: Callable[[TranscriptEntry], None]) -> Callable[[], None]:
         """Call `listener` with every chunk that passes on the wire, and every remark; the result ends that.
 
         It is called on whichever thread read or wrote, before the next byte can leave: append to a queue and return.
@@ -109,18 +109,18 @@ class Session:
                 return
 
 
-def farewell(position: Pointing | None, lost: str | None, reach: Reach | None) -> str:
+def farewell(position: Pointing | None, lost: str | None, reach: StopReach | None) -> str:
     """Say where the dish is left; `reach` tells what became of STOP, None when there was nothing to stop."""
     if position is None or lost is not None:
         where = "The dish's position is not known."
     else:
         where = f"The dish was last seen at AZ {position.az_text} EL {position.el_deg:.2f}°, {position.utc:%H:%M:%S}Z."
-    if reach is Reach.SENT:
+    if reach is StopReach.SENT:
         return f"STOP was sent. {where}"
-    if reach is Reach.ENDS:
+    if reach is StopReach.ENDS:
         return f"Nothing can stop this move; it ends by itself, and no other follows. {where}"
-    if reach in (None, Reach.AT_REST):
+    if reach in (None, StopReach.AT_REST):
         return where
-    if reach is Reach.CHECKING:
+    if reach is StopReach.CHECKING:
         return f"No motion was under way. It is unknown whether the dish moves. {where}"
     return f"The dish may still be moving. No STOP has reached it: look at it, or cut its power. {where}"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.station.board import Board
 from birdcage.station.mover import Mover
-from birdcage.station.state import Activity, Link, Search
+from birdcage.station.state import Activity, LinkPhase, TvSearch
+from birdcage.station.state_store import StateStore
 
 LOG_LINES = 3
 """So many lines from a dish that does not answer are a log; fewer may be late answers."""
@@ -16,13 +16,13 @@ UNREADABLE = "\N{REPLACEMENT CHARACTER}"
 class Starting:
     """For a dish that can be homed by its power alone; of any other only its boot marks tell."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, mover: Mover) -> None:
-        self._board, self._antenna, self._mover = board, antenna, mover
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, mover: Mover) -> None:
+        self._store, self._antenna, self._mover = store, antenna, mover
         self._heard = 0
 
     def hear(self, line: str, *, met: bool) -> None:
         """Take in an unsolicited line; a log that streams while nothing answers is shown."""
-        if self._antenna.rotator.facts.homing_s is not None or self._board.state.link.state is Link.UP:
+        if self._antenna.rotator.facts.homing_s is not None or self._store.state.link.state is LinkPhase.UP:
             return
         if UNREADABLE in line or (met and self._antenna.rotator.is_answer(line)):
             return
@@ -33,7 +33,7 @@ class Starting:
     def ended(self) -> None:
         """A boot mark came: where the search can't be switched off for good, it begins now."""
         if self._antenna.rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
-            self._board.change(search=Search.RUNNING)
+            self._store.change(search=TvSearch.RUNNING)
 
     def answers(self) -> None:
         """The dish answers: what it printed until now is done."""

@@ -13,15 +13,15 @@ from birdcage.antenna.gate import UNTOLD
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote
-from birdcage.rotator.facts import Facts, Turn
+from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
 from birdcage.rotator.values import Position
-from birdcage.station.pursuit import Pursuit
+from birdcage.station.pursuit_state import Pursuit
 
 
-class Link(Enum):
+class LinkPhase(Enum):
     """The state of the link."""
 
     CLOSED = "closed"
@@ -76,7 +76,7 @@ RAW_COMMAND = "raw command"
 """Why something is not known any more: a person typed past the station."""
 
 
-class Search(Enum):
+class TvSearch(Enum):
     """The firmware's TV search."""
 
     RUNNING = "running"
@@ -91,7 +91,7 @@ class Search(Enum):
 class LinkState:
     """The link, and why it is as it is."""
 
-    state: Link = Link.CLOSED
+    state: LinkPhase = LinkPhase.CLOSED
     since: float = 0.0
     """Monotonic seconds."""
     last_reply: float | None = None
@@ -261,8 +261,8 @@ class StationState:
     unplanned_stop: StopMeans = StopMeans.NONE
     """By what STOP ends a motion that goes on without a plan of this program."""
     homed: bool | None = None
-    search: Search = Search.UNKNOWN
-    turn: Turn = Turn.UNKNOWN
+    search: TvSearch = TvSearch.UNKNOWN
+    turn: CableTurn = CableTurn.UNKNOWN
     menu: str | None = None
     az_offset_deg: float = 0.0
     el_offset_deg: float = 0.0

@@ -11,7 +11,7 @@ from functools import partial
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.config import AntennaConfig
-from birdcage.antenna.odometer import Way
+from birdcage.antenna.odometer import AxisWay
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
 from birdcage.base.wake import Wake
@@ -19,28 +19,28 @@ from birdcage.rotator import machines
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.own import laid_by_owner
 from birdcage.station.applying import Applying
-from birdcage.station.board import Board, Listener
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
-from birdcage.station.desk import Desk
+from birdcage.station.dish_monitor import DishMonitor
 from birdcage.station.dish_mover import DishMover
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.facts_memory import FactsMemory
-from birdcage.station.lent import LentSpeeds
-from birdcage.station.look import Look
-from birdcage.station.pursuing import Pursuing
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_runner import PursuitRunner
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import MenuCommand, Verdict
+from birdcage.station.raw_console import RawConsole
 from birdcage.station.raw_effects import RawEffects
+from birdcage.station.request_handler import RequestHandler
 from birdcage.station.request_log import log_request
 from birdcage.station.requests import Request
 from birdcage.station.rewire import Rewire
+from birdcage.station.saved_speeds import SavedSpeeds
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import MOVING, StationState
-from birdcage.station.stop_pending import Reach
+from birdcage.station.state_store import Listener, StateStore
+from birdcage.station.stop_pending import StopReach
 from birdcage.station.stopper import Stopper
-from birdcage.station.talk import Talk
 from birdcage.station.turn_memory import TurnMemory
-from birdcage.station.vigil import Vigil
 from birdcage.station.watches import Watches
 
 NO_FLOOR_DEG = -90.0
@@ -68,63 +68,63 @@ class Station:
         state = StationState(
             port=settings.port, dish=rotator.facts, turn=rotator.facts.turn, unplanned_stop=antenna.strategy.unplanned
         )
-        self._board = board = Board(clock, state)
+        self._store = store = StateStore(clock, state)
         self._wake = Wake()
         self._inbox: deque[tuple[Request, Future[object], int]] = deque()
         self._closing = threading.Event()
         self._shutting = False
         """Whether what is said to the dish now is what has to be said before the end."""
-        self._control = Control(board, settings.held_keeper)
-        self._look = look = Look(board, antenna, settings)
-        self._mover = DishMover(board, antenna, look)
-        self._stopper = Stopper(board, antenna, self._control, self._mover, look)
-        self._facts = FactsMemory(board, antenna, self._stopper, settings.state_folder, settings.identify)
-        applying = Applying(board, antenna, self._mover, self._stopper, look, wrong_facts)
+        self._control = Control(store, settings.held_keeper)
+        self._reader = reader = DishReader(store, antenna, settings)
+        self._mover = DishMover(store, antenna, reader)
+        self._stopper = Stopper(store, antenna, self._control, self._mover, reader)
+        self._facts = FactsMemory(store, antenna, self._stopper, settings.state_folder, settings.identify)
+        applying = Applying(store, antenna, self._mover, self._stopper, reader, wrong_facts)
         applying.use(settings)
         self._watches = Watches()
-        self._vigil = Vigil(board, antenna, self._control, self._mover, self._stopper, look, self._watches)
-        self._pursuing = Pursuing(
-            board, antenna, self._control, self._mover, self._stopper, look, self._watches
+        self._monitor = DishMonitor(store, antenna, self._control, self._mover, self._stopper, reader, self._watches)
+        self._pursuits = PursuitRunner(
+            store, antenna, self._control, self._mover, self._stopper, reader, self._watches
         )  # fmt: skip
-        self._vigil.on_interrupted = self._pursuing.interrupted
-        self._pursuing.on_slow = self._vigil.slow
-        self._facts.on_waits = self._pursuing.suit_dish
+        self._monitor.on_interrupted = self._pursuits.interrupted
+        self._pursuits.on_slow = self._monitor.slow
+        self._facts.on_waits = self._pursuits.suit_dish
         if settings.state_folder is not None:
-            self._pursuing.speeds.remember(LentSpeeds(settings.state_folder, settings.port, settings.firmware))
+            self._pursuits.speeds.remember(SavedSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._turns = TurnMemory(
-            board, antenna.gate, settings.firmware, settings.state_folder, settings.identify
+            store, antenna.gate, settings.firmware, settings.state_folder, settings.identify
         )  # fmt: skip
-        look.on_read, self._vigil.on_restart = self._turns.recall, self._turns.drop
+        reader.on_read, self._monitor.on_restart = self._turns.recall, self._turns.drop
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
         self._connection = Connection(
-            board, antenna, settings, look,
+            store, antenna, settings, reader,
             Hooks(
                 dial=settings.open_link, site=settings.site, delay_s=settings.delay_s, permit=antenna.check_permit,
                 wake=self._wake,
-                on_wake=self._on_wake, on_line=self._vigil.on_line, on_restart=self._vigil.restarted,
-                on_trouble=self._vigil.troubled, on_look=self._vigil.heard_position,
-                on_facts=look.learn, on_busy=self._mover.busy,
+                on_wake=self._on_wake, on_line=self._monitor.on_line, on_restart=self._monitor.restarted,
+                on_trouble=self._monitor.troubled, on_look=self._monitor.heard_position,
+                on_facts=reader.learn, on_busy=self._mover.busy,
             ),
         )  # fmt: skip
         self._connection.on_port = self._meet
         rewire = Rewire(
-            board, antenna, settings, self._connection, self._stopper, look, self._vigil, self._wake, self._on_wake
+            store, antenna, settings, self._connection, self._stopper, reader, self._monitor, self._wake, self._on_wake
         )
-        self._talk = Talk(
-            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil,
-            RawEffects(board, antenna, self._mover, settings.remark, self._vigil.restarted),
+        self._raw_console = RawConsole(
+            store, antenna, self._control, self._mover, self._stopper, reader, self._watches, self._monitor,
+            RawEffects(store, antenna, self._mover, settings.remark, self._monitor.restarted),
             self._permit,
         )  # fmt: skip
-        self._desk = Desk(
-            board, antenna, self._control, self._mover, self._stopper, look, self._watches, self._vigil, rewire,
-            self._talk, applying, settings, self._pursuing,
+        self._handler = RequestHandler(
+            store, antenna, self._control, self._mover, self._stopper, reader, self._watches, self._monitor, rewire,
+            self._raw_console, applying, settings, self._pursuits,
         )  # fmt: skip
 
     @property
     def state(self) -> StationState:
         """What is known now: immutable. Any thread."""
-        return self._board.state
+        return self._store.state
 
     @property
     def asked_port(self) -> str:
@@ -133,9 +133,9 @@ class Station:
 
     def subscribe(self, listener: Listener) -> Callable[[], None]:
         """Hear every event, on the station's thread: do nothing slow there. Returns what ends it."""
-        return self._board.subscribe(listener)
+        return self._store.subscribe(listener)
 
-    def on_way(self, listener: Callable[[Way], None]) -> None:
+    def on_way(self, listener: Callable[[AxisWay], None]) -> None:
         """Tell `listener`, on the station's thread, how far each axis is sent. One listener."""
         self._antenna.odometer.on_way = listener
 
@@ -151,7 +151,7 @@ class Station:
 
     def judge(self, line: str) -> Verdict:
         """Say what a raw line would do in the dish's present menu, before it is sent. Sends nothing; any thread."""
-        return self._talk.judge(line)
+        return self._raw_console.judge(line)
 
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line that went out at this prompt changes nothing but the menu. Any thread."""
@@ -182,7 +182,7 @@ class Station:
 
     def commands(self, menu: str | None) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told. Any thread."""
-        return self._talk.menus.of(menu)
+        return self._raw_console.menus.of(menu)
 
     def stop(self, by: str, *, leaving: bool = False) -> None:
         """STOP: its first bytes are on their way when this returns. Any thread; never waits for the dish.
@@ -194,14 +194,14 @@ class Station:
 
     def warn(self, subject: str, sentence: str) -> None:
         """Keep what a person should know of this program itself, one sentence a subject; empty: no more. Any thread."""
-        self._board.warn(subject, sentence)
+        self._store.warn(subject, sentence)
 
     def own_signal(self, source: str, holder: str) -> None:
         """Show who owns a signal source now: a target, or `monitor`; empty: it is free. Any thread."""
-        self._board.own_signal(source, holder)
+        self._store.own_signal(source, holder)
 
     @property
-    def stop_reach(self) -> Reach:
+    def stop_reach(self) -> StopReach:
         """Whether the last STOP got through to the dish. Any thread."""
         return self._stopper.reach
 
@@ -256,9 +256,9 @@ class Station:
         self._drop_inbox()
         self._shutting = True
         try:
-            self._pursuing.shut()
-            self._mover.fail(*self._desk.ending())
-            self._talk.line.shut()
+            self._pursuits.shut()
+            self._mover.fail(*self._handler.ending())
+            self._raw_console.line.shut()
         finally:
             try:
                 self._connection.close()
@@ -270,11 +270,11 @@ class Station:
     def _due(self) -> float:
         if self._inbox:
             return -math.inf
-        times = [self._talk.due(), self._connection.due, self._stopper.due, self._pursuing.due]
+        times = [self._raw_console.due(), self._connection.due, self._stopper.due, self._pursuits.due]
         if self._connection.is_up:
-            if self._pursuing.restore_due:
+            if self._pursuits.restore_due:
                 return -math.inf
-            times += [self._mover.due, self._vigil.due()]
+            times += [self._mover.due, self._monitor.due()]
         return min((time for time in times if time is not None), default=math.inf)
 
     def _work(self, now: float) -> None:
@@ -284,25 +284,25 @@ class Station:
             return time is not None and time <= now
 
         pursued, self._pursued = self._pursued, False
-        if is_due(self._talk.due()):
-            self._guard(self._talk.tick)  # before STOP's follow-up, which needs the console
+        if is_due(self._raw_console.due()):
+            self._guard(self._raw_console.tick)  # before STOP's follow-up, which needs the console
         elif is_due(self._stopper.due):
             self._guard(self._stopper.tick)
             if self._connection.was_answered():
-                self._vigil.met()
+                self._monitor.met()
         elif is_due(self._connection.due):
             self._guard(self._connect)
-        elif self._connection.is_up and self._pursuing.restore_due:
-            self._guard(self._pursuing.restore)
+        elif self._connection.is_up and self._pursuits.restore_due:
+            self._guard(self._pursuits.restore)
         elif self._connection.is_up and is_due(self._mover.due):
             self._guard(self._mover.tick)
-        elif is_due(self._pursuing.due) and not (pursued and self._inbox):
+        elif is_due(self._pursuits.due) and not (pursued and self._inbox):
             self._pursued = True
-            self._guard(self._pursuing.tick)
+            self._guard(self._pursuits.tick)
         elif self._inbox:
             self._serve(*self._inbox.popleft())
         else:
-            self._guard(self._vigil.tick)
+            self._guard(self._monitor.tick)
 
     def _meet(self, port: str) -> None:
         """A port is about to be opened: what is remembered of its dish counts."""
@@ -312,22 +312,22 @@ class Station:
 
     def _connect(self) -> None:
         if self._connection.attempt():
-            self._vigil.met()
+            self._monitor.met()
 
     def _serve(self, request: Request, future: Future[object], stops_seen: int) -> None:
         if not future.set_running_or_notify_cancel():
             return
         try:
-            self._desk.serve(request, future, stops_seen)
+            self._handler.serve(request, future, stops_seen)
         except LinkError as error:
             self._fail(future, error)
             if self._connection.is_up:  # else it is the answer that there is none
                 self._link_gone(error)
         except BirdcageError as error:
             self._fail(future, error)
-            self._vigil.hear_refusal(error)
+            self._monitor.hear_refusal(error)
             if isinstance(error, NoReply) and error.reason != "no_row":
-                self._vigil.interrupted("link")
+                self._monitor.interrupted("link")
                 self._connection.silent(error)
         except BaseException:
             if not future.done():
@@ -350,16 +350,16 @@ class Station:
         except Stopped:
             pass  # STOP or the end of the station cut the exchange short; both have their own follow-up
         except BirdcageError as silence:
-            if self._vigil.hear_refusal(silence):
+            if self._monitor.hear_refusal(silence):
                 return
             # No answer, or one that makes no sense here: find out where the console is.
-            self._vigil.interrupted("link")
+            self._monitor.interrupted("link")
             self._connection.silent(silence)
         finally:
             self._note()
 
     def _link_gone(self, error: LinkError) -> None:
-        self._vigil.interrupted("link")
+        self._monitor.interrupted("link")
         self._connection.lost(error)
 
     def _note(self) -> None:
@@ -370,8 +370,8 @@ class Station:
         """Take STOPs and look at the clock."""
         self._wake.clear()
         self._stopper.take_calls()
-        self._vigil.check_clock()
-        self._pursuing.stopped()
+        self._monitor.check_clock()
+        self._pursuits.stopped()
 
     def _on_wake(self) -> None:
         """Notice what happened in the middle of an exchange; end it when the station ends."""

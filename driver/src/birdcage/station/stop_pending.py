@@ -14,7 +14,7 @@ from birdcage.station.state import Motion, Pointing, StopReport
 SHORT_DEG = 0.5
 
 
-class Reach(Enum):
+class StopReach(Enum):
     """Whether the last STOP got through."""
 
     LOOKING = "looking"
@@ -31,11 +31,11 @@ class Reach(Enum):
     @property
     def is_open(self) -> bool:
         """Whether readings must still tell what STOP is to do."""
-        return self in (Reach.LOOKING, Reach.CHECKING)
+        return self in (StopReach.LOOKING, StopReach.CHECKING)
 
 
 @dataclass(slots=True, kw_only=True)
-class Pending:
+class PendingStop:
     """A STOP whose effect is not known yet."""
 
     report: StopReport

@@ -9,7 +9,7 @@ import math
 
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.ladder import MoveKind, Rung, StopMeans, rungs
-from birdcage.station.state import Activity, Link, Motion, Search, StationState, StopReport
+from birdcage.station.state import Activity, LinkPhase, Motion, StationState, StopReport, TvSearch
 
 SHORT = 36
 """Columns that every line has a form for: the narrowest pane, at 40x12 and at 80x24."""
@@ -61,11 +61,11 @@ def fitting(forms: tuple[str, ...], room: int) -> str:
 
 def stop_forms(state: StationState, now: float) -> tuple[str, ...]:
     """Return the same thing in one form or more, the longest first; `now` is the station's monotonic time."""
-    if state.link.state in (Link.CLOSED, Link.OPENING):
+    if state.link.state in (LinkPhase.CLOSED, LinkPhase.OPENING):
         return ("No STOP before the port is open",)
-    if state.link.state is Link.LOST:
+    if state.link.state is LinkPhase.LOST:
         return unreachable(state.dish)
-    if state.link.state is not Link.UP:
+    if state.link.state is not LinkPhase.UP:
         return _unsure(state.dish, "STOP may not reach the dish.")
     if is_stopping(state):
         return _stopping(state.dish, state.last_stop)
@@ -130,7 +130,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
             return ("STOP is sent; nothing confirms it",)
         case Activity.UNKNOWN if _acts(dish):
             return ("Motion unknown: STOP looks and acts",)
-        case Activity.MOVING_UNASKED if state.search is Search.RUNNING and _rung(dish, MoveKind.SEARCH) is not None:
+        case Activity.MOVING_UNASKED if state.search is TvSearch.RUNNING and _rung(dish, MoveKind.SEARCH) is not None:
             return ("STOP ends the TV search",)
         case Activity.STOWING | Activity.MOVING_UNASKED | Activity.UNKNOWN:
             return _unsure(dish, "STOP may not hold the dish.")

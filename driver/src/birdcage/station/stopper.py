@@ -14,13 +14,13 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unplanned
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
 from birdcage.rotator.ladder import MoveKind, StopMeans
-from birdcage.station.board import Board
 from birdcage.station.control import Control
+from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End, StopConfirmed, StopSent
-from birdcage.station.look import Look
 from birdcage.station.mover import Mover
-from birdcage.station.state import Activity, Pointing, Search, StopReport
-from birdcage.station.stop_pending import Pending, Reach
+from birdcage.station.state import Activity, Pointing, StopReport, TvSearch
+from birdcage.station.state_store import StateStore
+from birdcage.station.stop_pending import PendingStop, StopReach
 
 MOST_REPEATS = 5
 COALESCE_S = 0.2
@@ -43,20 +43,22 @@ OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
 class Stopper:
     """Latches, sends, repeats until answered, and reports what was really done."""
 
-    def __init__(self, board: Board, antenna: BirdcageAntenna, control: Control, mover: Mover, look: Look) -> None:
-        self._board, self._antenna, self._control = board, antenna, control
-        self._mover, self._look = mover, look
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, reader: DishReader
+    ) -> None:
+        self._store, self._antenna, self._control = store, antenna, control
+        self._mover, self._reader = mover, reader
         self._calls: deque[tuple[StopReport, StopAction, str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
         self._lock = threading.RLock()
-        self._pending: Pending | None = None
+        self._pending: PendingStop | None = None
         self._last_call = -math.inf
         self.homing = False
         """Set while homing (or a stow) keeps the shell busy, and nothing that is sent gets through."""
         self.due: float | None = None
-        self.reach = Reach.NOT
+        self.reach = StopReach.NOT
 
     @property
     def _strategy(self) -> MotionStrategy:
@@ -75,7 +77,7 @@ class Stopper:
         with self._lock:
             self._control.latched = True
             self.count += 1
-            now = self._board.clock.monotonic()
+            now = self._store.clock.monotonic()
             if now - self._last_call < COALESCE_S:
                 return
             self._last_call = now
@@ -88,11 +90,11 @@ class Stopper:
             self.reach = self._reach(done)
             self._calls.append((StopReport(by, now, done.means, None, done.sentence), action, reason))
             if not leaving:
-                self._control.keep(by, self._board.clock.utc(), reason)
+                self._control.keep(by, self._store.clock.utc(), reason)
 
     def _action(self) -> StopAction:
         """Return what to do at once, by what is known of the dish."""
-        state = self._board.state
+        state = self._store.state
         if not self._antenna.rotator.is_open:
             return StopAction(StopMeans.NO_LINK, "No link to the dish: nothing could be sent. Cut its power.")
         if self.homing:
@@ -102,20 +104,20 @@ class Stopper:
         if state.activity is Activity.STOWING:
             # Where it goes is the firmware's own business: only two readings tell where to aim.
             return StopAction(StopMeans.LOOK, "No STOP is documented for stowing: looking where it goes, to aim.")
-        if self._look.elsewhere and not self._strategy.anywhere:
+        if self._reader.elsewhere and not self._strategy.anywhere:
             return StopAction(StopMeans.LOOK, "The console is not in the motor menu: going there to look, and to aim.")
         return self._at_once()
 
     def _at_once(self) -> StopAction:
-        unplanned = UNPLANNED.get(self._board.state.activity, Unplanned.NONE)
-        return self._strategy.at_once(unplanned, self._board.clock)
+        unplanned = UNPLANNED.get(self._store.state.activity, Unplanned.NONE)
+        return self._strategy.at_once(unplanned, self._store.clock)
 
-    def _reach(self, action: StopAction) -> Reach:
+    def _reach(self, action: StopAction) -> StopReach:
         if action.means.is_sent or (action.order is not None and self._strategy.anywhere):
-            return Reach.SENT
+            return StopReach.SENT
         if action.means.is_undecided:
-            return Reach.LOOKING if action.means is StopMeans.LOOK else Reach.CHECKING
-        return Reach.ENDS if action.means is StopMeans.WAIT else Reach.NOT
+            return StopReach.LOOKING if action.means is StopMeans.LOOK else StopReach.CHECKING
+        return StopReach.ENDS if action.means is StopMeans.WAIT else StopReach.NOT
 
     def release(self, stops_seen: int) -> None:
         """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
@@ -135,13 +137,13 @@ class Stopper:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
             report, action, reason = self._calls.popleft()
-            order, shown = action.order, self._board.state.motion
+            order, shown = action.order, self._store.state.motion
             self._control.hold(report.by, reason, keep=False)  # the call has done that
             self._mover.fail(
                 End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by}: the motion was given up.")
             )
             self._publish(report, sent=True)
-            self._strategy.lose_track(self._board.clock)
+            self._strategy.lose_track(self._store.clock)
             if report.means is StopMeans.NO_LINK:
                 self._publish(replace(report, confirmed=False), sent=False)
                 if order is None:
@@ -150,9 +152,9 @@ class Stopper:
             self._mover.activity(Activity.STOPPING, "")
             if report.means is StopMeans.LOOK and order is None:
                 self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
-            now = self._board.clock.monotonic()
+            now = self._store.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
-            self._pending = Pending(
+            self._pending = PendingStop(
                 report=report, sent=repeats + (order is not None), answered=order is None, still_from=None,
                 deadline=now + self._lasts_s(report.means, slowest=slowest), slowest=slowest, order=order,
                 action_is_complete=not (action.means.is_sent or action.means is StopMeans.RELEASE),
@@ -164,7 +166,7 @@ class Stopper:
     def resume(self) -> None:
         """Homing is over: follow up a STOP that was called meanwhile."""
         if self._pending is not None:
-            self.due = self._board.clock.monotonic()
+            self.due = self._store.clock.monotonic()
 
     def tick(self) -> None:
         """Wait for the answer, repeat without one, then watch the dish come to rest."""
@@ -184,7 +186,7 @@ class Stopper:
                 self._antenna.motion = motion
             raise
 
-    def _follow_up(self, pending: Pending) -> None:
+    def _follow_up(self, pending: PendingStop) -> None:
         if not pending.answered:
             pending.answered = self._answered(pending)
             if self._pending is not pending:
@@ -194,22 +196,22 @@ class Stopper:
                 return
             self._see_whether_it_waits(pending)
             lasts_s = self._lasts_s(pending.report.means, slowest=pending.slowest)
-            pending.deadline = max(pending.deadline, self._board.clock.monotonic() + lasts_s)
+            pending.deadline = max(pending.deadline, self._store.clock.monotonic() + lasts_s)
         if not pending.action_is_complete:
             pending.action_is_complete = True
             self._complete(pending)
-        asked = self._board.clock.monotonic()
-        pointing = self._look.position()
+        asked = self._store.clock.monotonic()
+        pointing = self._reader.position()
         if self._pending is not pending:
             return
-        now = self._board.clock.monotonic()
+        now = self._store.clock.monotonic()
         self.due = now + POLL_S
         if pointing is None or pointing.modelled:  # two that were not read agree, and prove nothing
             released = bool(self._antenna.gate.released)
             self._finish(pending, None, RELEASED if released else self._strategy.unseen)
         elif pending.still_from is None:
             pending.still_from, pending.still_asked = pointing, asked
-        elif not self._look.is_still(pointing, pending.still_from):
+        elif not self._reader.is_still(pointing, pending.still_from):
             earlier, pending.still_from = pending.still_from, pointing
             since, pending.still_asked = pending.still_asked, asked
             self._still_moving(pending, earlier, pointing, since)
@@ -229,16 +231,16 @@ class Stopper:
             round_trip_s = self._antenna.rotator.line.round_trip_s or 0.0
             self.due = proof_at if now + POLL_S < proof_at < now + round_trip_s else self.due
 
-    def _rests(self, pending: Pending, still_from: Pointing, asked: float) -> bool:
+    def _rests(self, pending: PendingStop, still_from: Pointing, asked: float) -> bool:
         """Return whether the readings have agreed for long enough.
 
         The first was made before it came, and the last after it was `asked` for: so late an answer proves nothing.
         """
-        return asked >= self._proof_at(pending, still_from) and self._strategy.is_there(self._board.clock)
+        return asked >= self._proof_at(pending, still_from) and self._strategy.is_there(self._store.clock)
 
-    def _proof_at(self, pending: Pending, still_from: Pointing) -> float:
+    def _proof_at(self, pending: PendingStop, still_from: Pointing) -> float:
         still_s = self._strategy.still_s(slowest=pending.slowest)
-        return still_from.at + max(still_s, self._strategy.turns_s(still_from.dish)) / self._board.clock.rate
+        return still_from.at + max(still_s, self._strategy.turns_s(still_from.dish)) / self._store.clock.rate
 
     def _learn(self, means: StopMeans, *, works: bool) -> None:
         """Keep what a dish in motion has shown of a rung."""
@@ -246,9 +248,9 @@ class Stopper:
             self._strategy.found_to_work(means)
         else:
             self._strategy.found_to_fail(means)
-        self._board.change(unplanned_stop=self._strategy.unplanned)
+        self._store.change(unplanned_stop=self._strategy.unplanned)
 
-    def _complete(self, pending: Pending) -> None:
+    def _complete(self, pending: PendingStop) -> None:
         if pending.report.means is StopMeans.RELEASE:
             self._release(pending)
             return
@@ -256,9 +258,9 @@ class Stopper:
             self._strategy.answered(pending.report.means)
             if pending.report.means is StopMeans.SEARCH:
                 self._antenna.maintenance.end_search()
-                self._board.change(search=Search.OFF_UNTIL_POWER_UP)
+                self._store.change(search=TvSearch.OFF_UNTIL_POWER_UP)
                 self._antenna.rotator.make_ready()
-            now = self._board.clock.monotonic()
+            now = self._store.clock.monotonic()
             pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means, slowest=pending.slowest))
             pending.note = "The TV search was ended. " if pending.report.means is StopMeans.SEARCH else ""
         except CommandRefused as refused:
@@ -268,17 +270,17 @@ class Stopper:
         """Return whether the dish may move at an unknown speed: in a motion not sent from here."""
         if self._pending is not None and self._pending.slowest:
             return True
-        return means.is_undecided and self._board.state.activity in OTHERS
+        return means.is_undecided and self._store.state.activity in OTHERS
 
     def _lasts_s(self, means: StopMeans, *, slowest: bool) -> float:
         """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
         rotator = self._antenna.rotator
         round_trip_s = rotator.line.round_trip_s if rotator.is_open else None
-        lasts_s = self._strategy.lasts_s(means, self._board.clock) + self._strategy.still_s(slowest=slowest)
-        return lasts_s / self._board.clock.rate + READINGS * (round_trip_s or 0.0)
+        lasts_s = self._strategy.lasts_s(means, self._store.clock) + self._strategy.still_s(slowest=slowest)
+        return lasts_s / self._store.clock.rate + READINGS * (round_trip_s or 0.0)
 
-    def _answered(self, pending: Pending) -> bool:
-        rotator, motion, clock = self._antenna.rotator, self._antenna.motion, self._board.clock
+    def _answered(self, pending: PendingStop) -> bool:
+        rotator, motion, clock = self._antenna.rotator, self._antenna.motion, self._store.clock
         within_s = ANSWER_S
         if pending.sent >= MOST_REPEATS:
             within_s = rotator.line.delay_s
@@ -290,26 +292,26 @@ class Stopper:
         except NoReply:
             return False
 
-    def _see_whether_it_waits(self, pending: Pending) -> None:
+    def _see_whether_it_waits(self, pending: PendingStop) -> None:
         """A dish that was found to wait for its motors before it reads on takes no new target: let its move end."""
         waits = self._antenna.motion is not None and not self._strategy.answers_in_motion
         if waits and pending.report.means is StopMeans.LOOK:
             self._look_on(pending, self._at_once())
 
-    def _look_on(self, pending: Pending, action: StopAction) -> None:
+    def _look_on(self, pending: PendingStop, action: StopAction) -> None:
         """Say what is done instead of what was sent first."""
         pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
-        self._board.change(last_stop=pending.report)
+        self._store.change(last_stop=pending.report)
         self.reach = self._reach(action)
 
-    def _repeat(self, pending: Pending) -> None:
+    def _repeat(self, pending: PendingStop) -> None:
         if pending.sent >= MOST_REPEATS:
             rung = self._strategy.next_rung(pending.report.means)
             if rung is not None and rung.means is StopMeans.RELEASE:
                 self._release(pending)
                 return
             if rung is not None and rung.means is StopMeans.COMMAND:
-                action, now = self._strategy.commanded(), self._board.clock.monotonic()
+                action, now = self._strategy.commanded(), self._store.clock.monotonic()
                 pending.sent, self.due = 0, now
                 self._send(pending, action, now)
                 return
@@ -321,11 +323,11 @@ class Stopper:
         if pending.unsent is not None:
             self._look_on(pending, pending.unsent)
             pending.unsent = None
-        self.due = self._board.clock.monotonic()
+        self.due = self._store.clock.monotonic()
 
-    def _still_moving(self, pending: Pending, earlier: Pointing, pointing: Pointing, since: float) -> None:
+    def _still_moving(self, pending: PendingStop, earlier: Pointing, pointing: Pointing, since: float) -> None:
         """The dish was seen to move at some time `since` the earlier reading was asked for."""
-        now = self._board.clock.monotonic()
+        now = self._store.clock.monotonic()
         if pending.report.means.is_undecided:
             action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
             self._antenna.motion = None  # it goes otherwise than it was modelled
@@ -339,7 +341,7 @@ class Stopper:
         elif since > pending.deadline and pending.report.confirmed is None:
             self._climb(pending, earlier, pointing, now)
 
-    def _climb(self, pending: Pending, earlier: Pointing, pointing: Pointing, now: float) -> None:
+    def _climb(self, pending: PendingStop, earlier: Pointing, pointing: Pointing, now: float) -> None:
         """The dish goes on: try what its ladder has next."""
         if pending.report.means in LEARNT:
             self._learn(pending.report.means, works=False)
@@ -357,21 +359,21 @@ class Stopper:
         if rung is not None and rung.means is StopMeans.RELEASE:
             self._release(pending)
 
-    def _send(self, pending: Pending, action: StopAction, now: float) -> None:
+    def _send(self, pending: PendingStop, action: StopAction, now: float) -> None:
         """Send another thing than what was sent first."""
         pending.order = action.order
         if pending.order is not None:
             self._antenna.rotator.stop_now(pending.order)
-        self.reach = Reach.SENT
+        self.reach = StopReach.SENT
         pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
         pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
         pending.answered = pending.action_is_complete = False
         pending.sent += 1
 
-    def _release(self, pending: Pending) -> None:
+    def _release(self, pending: PendingStop) -> None:
         """Climb the last rung: only if the user enabled it."""
         self._antenna.maintenance.release_motors()
-        self._look.unknown(PositionUnknown("STOP released the motors.", reason="released"))
+        self._reader.unknown(PositionUnknown("STOP released the motors.", reason="released"))
         pending.report = replace(pending.report, means=StopMeans.RELEASE, confirmed=None)
         self._finish(pending, None, "The motors were released. The dish's position is not known: home it.")
 
@@ -380,18 +382,18 @@ class Stopper:
         if self._pending is not None:
             self._finish(self._pending, None, RELEASED)
 
-    def _finish(self, pending: Pending, confirmed: bool | None, sentence: str) -> None:
+    def _finish(self, pending: PendingStop, confirmed: bool | None, sentence: str) -> None:
         earlier = pending.report.confirmed
         if self.reach.is_open:
-            self.reach = Reach.AT_REST if confirmed or sentence == RELEASED else Reach.NOT
+            self.reach = StopReach.AT_REST if confirmed or sentence == RELEASED else StopReach.NOT
         self._pending, self.due, self._antenna.motion = None, None, None
-        self._board.change(motion=None)
-        moves = self._antenna.reckoning.moves_until > self._board.clock.monotonic()
+        self._store.change(motion=None)
+        moves = self._antenna.reckoning.moves_until > self._store.clock.monotonic()
         self._mover.activity(Activity.UNKNOWN if moves else Activity.IDLE, "")
         report = replace(pending.report, confirmed=confirmed if earlier is None else earlier, sentence=sentence)
         self._publish(report, sent=False)
 
     def _publish(self, report: StopReport, *, sent: bool) -> None:
-        self._board.change(last_stop=report)
-        at, utc = self._board.stamp()
-        self._board.tell(StopSent(at, utc, report) if sent else StopConfirmed(at, utc, report))
+        self._store.change(last_stop=report)
+        at, utc = self._store.stamp()
+        self._store.tell(StopSent(at, utc, report) if sent else StopConfirmed(at, utc, report))

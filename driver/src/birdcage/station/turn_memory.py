@@ -17,9 +17,9 @@ from birdcage.base.background import BackgroundWriter
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder
-from birdcage.station.board import Board
 from birdcage.station.events import ActivityChanged, Event, PositionRead
 from birdcage.station.state import Activity
+from birdcage.station.state_store import StateStore
 
 FILE = "turn.json"
 LONGEST = 1024
@@ -31,7 +31,7 @@ CLOSE_S = 0.2
 
 
 @dataclass(frozen=True, slots=True)
-class Left:
+class DishAsLeft:
     """How a dish was left, in its own degrees."""
 
     cable_deg: float
@@ -43,18 +43,18 @@ class TurnMemory:
     """`turn.json` in the folder of the dish. For the station's thread; a thread of its own writes."""
 
     def __init__(
-        self, board: Board, gate: MotionGate, firmware: str, state_folder: Path | None,
+        self, store: StateStore, gate: MotionGate, firmware: str, state_folder: Path | None,
         identify: Callable[[str], str | None],
     ) -> None:  # fmt: skip
-        self._board, self._gate, self._firmware = board, gate, firmware
+        self._store, self._gate, self._firmware = store, gate, firmware
         self._state_folder, self._identify = state_folder, identify
         self._file: Path | None = None
-        self._left: Left | None = None
+        self._left: DishAsLeft | None = None
         """What is on disk, or on its way there."""
-        self._expected: Left | None = None
+        self._expected: DishAsLeft | None = None
         """What the first reading must agree with."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
-        board.subscribe(self._hear)
+        store.subscribe(self._hear)
 
     def meet(self, port: str) -> None:
         """Take in that the dish is at `port` from now on: its turn counts if the first reading is as it was left."""
@@ -92,14 +92,14 @@ class TurnMemory:
 
     def _hear(self, event: Event) -> None:
         """Keep how it stands, whenever it is seen at rest."""
-        state = self._board.state
+        state = self._store.state
         resting = state.activity is Activity.IDLE and state.motion is None and state.position_lost is None
         if not isinstance(event, PositionRead | ActivityChanged) or not resting or state.position is None:
             return
         here, cable_deg = state.position, self._gate.cable_deg
-        self._keep(None if cable_deg is None else Left(cable_deg, here.dish_az_deg, here.dish_el_deg))
+        self._keep(None if cable_deg is None else DishAsLeft(cable_deg, here.dish_az_deg, here.dish_el_deg))
 
-    def _keep(self, left: Left | None) -> None:
+    def _keep(self, left: DishAsLeft | None) -> None:
         if self._file is None or _is_same(left, self._left):
             return
         self._left = left
@@ -108,29 +108,29 @@ class TurnMemory:
         self._writer.offer((self._file, None if left is None else _text(left, self._firmware)))
 
 
-def read_left(file: Path, firmware: str) -> Left | None:
+def read_left(file: Path, firmware: str) -> DishAsLeft | None:
     """Return how a dish that speaks `firmware` was left; None if nothing tells, or not what can be believed."""
     try:
         with file.open("rb") as opened:
             told = json.loads(opened.read(LONGEST))
-        left = Left(*(float(told[name]) for name in ("cable_deg", "az_deg", "el_deg")))
+        left = DishAsLeft(*(float(told[name]) for name in ("cable_deg", "az_deg", "el_deg")))
         known = told["firmware"] == firmware and all(map(math.isfinite, (left.cable_deg, left.az_deg, left.el_deg)))
     except (OSError, ValueError, KeyError, TypeError, OverflowError, RecursionError):
         return None
     return left if known else None
 
 
-def leave(state_folder: Path, identity: str, firmware: str, left: Left) -> None:
+def leave(state_folder: Path, identity: str, firmware: str, left: DishAsLeft) -> None:
     """Leave a note as if a program had counted until now: for a dish that is made to stand somewhere. OSError."""
     write_aside_and_rename(dish_folder(state_folder, identity) / FILE, _text(left, firmware))
 
 
-def _text(left: Left, firmware: str) -> bytes:
+def _text(left: DishAsLeft, firmware: str) -> bytes:
     told = {"firmware": firmware, "cable_deg": left.cable_deg, "az_deg": left.az_deg, "el_deg": left.el_deg}
     return json.dumps(told).encode()
 
 
-def _is_same(one: Left | None, other: Left | None) -> bool:
+def _is_same(one: DishAsLeft | None, other: DishAsLeft | None) -> bool:
     if one is None or other is None:
         return one is other
     pairs = ((one.cable_deg, other.cable_deg), (one.az_deg, other.az_deg), (one.el_deg, other.el_deg))

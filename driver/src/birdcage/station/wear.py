@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from birdcage.antenna.odometer import Way
+from birdcage.antenna.odometer import AxisWay
 from birdcage.base.wear import Wear, WearBook
 from birdcage.station.station import Station
 
@@ -17,7 +17,7 @@ def dish_key(name: str, *, demo: bool) -> str:
     return f"{name} (demo)" if demo else name
 
 
-class Tally:
+class WearTally:
     """Adds up on the station's thread."""
 
     def __init__(self, station: Station, book: WearBook) -> None:
@@ -26,7 +26,7 @@ class Tally:
         self._direction: dict[int, float] = {}
         self._written_at = -math.inf
 
-    def take(self, way: Way) -> None:
+    def take(self, way: AxisWay) -> None:
         """Take in that an axis was sent on; nothing counts that is no longer than half a step."""
         model = self._station.state.dish
         if model is None or abs(way.deg) < model.axis(way.axis).step_deg / 2:
@@ -53,8 +53,8 @@ class Tally:
         self._sums.clear()
 
 
-def keep_wear(station: Station, book: WearBook) -> Tally:
-    """Count from now on; `Tally.write` hands on the rest at the end."""
-    tally = Tally(station, book)
+def keep_wear(station: Station, book: WearBook) -> WearTally:
+    """Count from now on; `WearTally.write` hands on the rest at the end."""
+    tally = WearTally(station, book)
     station.on_way(tally.take)
     return tally

@@ -2,15 +2,24 @@
 
 from __future__ import annotations
 
-from birdcage.testing.console import RawConsole
-from birdcage.testing.features import Features
-from birdcage.testing.golden import GoldenTranscripts
-from birdcage.testing.meeting import Meeting
-from birdcage.testing.motion import Motion
-from birdcage.testing.passing import Passing
-from birdcage.testing.stopping import Stopping
-from birdcage.testing.wire import Wire
+from birdcage.testing.console import RawConsoleContract
+from birdcage.testing.features import FeatureContract
+from birdcage.testing.golden import GoldenTranscriptContract
+from birdcage.testing.meeting import MeetingContract
+from birdcage.testing.motion import MotionContract
+from birdcage.testing.passing import PassContract
+from birdcage.testing.stopping import StoppingContract
+from birdcage.testing.wire import WireContract
 
 
-class Contract(Meeting, Motion, Stopping, Passing, RawConsole, Wire, Features, GoldenTranscripts):
+class Contract(
+    MeetingContract,
+    MotionContract,
+    StoppingContract,
+    PassContract,
+    RawConsoleContract,
+    WireContract,
+    FeatureContract,
+    GoldenTranscriptContract,
+):
     """All that a machine owes to whoever uses it. Inherit it in a class `Test…`, with a fixture `bench`."""

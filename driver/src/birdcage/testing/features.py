@@ -11,23 +11,24 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
 from birdcage.rotator import machines
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, WELL_FORMED, Feature, Kind, Reading, Value, Writer
+from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, WELL_FORMED, Feature, FeatureKind, Reading, Value, Writer
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.rotator import Rotator
 from birdcage.station.requests import Goto, Read
 from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
-from birdcage.testing.twin import Bench, Twin
+from birdcage.testing.twin import TestBench, Twin
 
 LACKING = "no_such_feature"
 NEAR = 0.01
 """How far what is read back may lie from what was written, of the whole range: machines count in steps."""
-KINDS: dict[Kind, type | tuple[type, ...]] = {
-    Kind.NUMBER: (float, int), Kind.TEXT: str, Kind.LINES: str, Kind.SWITCH: bool, Kind.MOMENTARY: bool,
+KINDS: dict[FeatureKind, type | tuple[type, ...]] = {
+    FeatureKind.NUMBER: (float, int), FeatureKind.TEXT: str, FeatureKind.LINES: str, FeatureKind.SWITCH: bool,
+    FeatureKind.MOMENTARY: bool,
 }  # fmt: skip
 
 
 @contextmanager
-def opened(bench: Bench) -> Iterator[tuple[Rotator, Twin]]:
+def opened(bench: TestBench) -> Iterator[tuple[Rotator, Twin]]:
     """Open the machine itself, without a station, at its twin."""
     clock, rotator = VirtualClock(), machines.make(bench.machine)
     twin = bench.twin(clock)
@@ -51,10 +52,10 @@ def refused(twin: Twin, ask: Callable[[], object], error: type[Exception], what:
     raise AssertionError(f"{what} was not refused: {told}")
 
 
-class Features:
+class FeatureContract:
     """A machine without features keeps each of these by refusing what it is asked."""
 
-    def test_its_features_are_well_formed(self, bench: Bench) -> None:
+    def test_its_features_are_well_formed(self, bench: TestBench) -> None:
         """They are known before a port is open, each by an id of its own; the facts of its search say the same."""
         facts = machines.facts_of(bench.machine)
         told = facts.features
@@ -71,14 +72,15 @@ class Features:
             require(each.label, f"{name} has no label")
             once = each.writer is Writer.AT_ONCE
             require(
-                once is (each.kind is Kind.MOMENTARY), f"{name} is {each.kind.value}, and written {each.writer.value}"
+                once is (each.kind is FeatureKind.MOMENTARY),
+                f"{name} is {each.kind.value}, and written {each.writer.value}",
             )
             require(each.is_readable or each.is_writable, f"{name} can neither be read nor set")
             require(each.range is None or each.range.low < each.range.high, f"{name}: {each.range} is no range")
-            require(each.range is None or each.kind is Kind.NUMBER, f"{name} is no number, and has a range")
+            require(each.range is None or each.kind is FeatureKind.NUMBER, f"{name} is no number, and has a range")
             require(each.cost.lines > 0 and each.cost.min_interval_s >= 0.0, f"{name} costs {each.cost}")
 
-    def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: Bench) -> None:
+    def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: TestBench) -> None:
         """Each of them is read, and nothing moves."""
         with Stage(bench) as stage:
             stage.ready()
@@ -94,7 +96,7 @@ class Features:
     def _is_sound(feature: Feature, reading: Reading) -> None:
         value, name = reading.value, feature.id
         require(reading.unit == feature.unit, f"{name} was read in {reading.unit!r}, not in {feature.unit!r}")
-        number = feature.kind is Kind.NUMBER
+        number = feature.kind is FeatureKind.NUMBER
         sound = isinstance(value, KINDS[feature.kind]) and not (number and isinstance(value, bool))
         require(sound, f"{name} was read as {value!r}: that is no {feature.kind.value}")
         if number:
@@ -102,7 +104,7 @@ class Features:
             inside = feature.range is None or feature.range.holds(float(value))
             require(inside, f"{name} was read as {value}, outside {feature.range}")
 
-    def test_what_it_lacks_is_refused_with_nothing_sent(self, bench: Bench) -> None:
+    def test_what_it_lacks_is_refused_with_nothing_sent(self, bench: TestBench) -> None:
         """What is not in the table, what can only be read, and what can only be done."""
         with opened(bench) as (rotator, twin):
             features = rotator.features.values()
@@ -115,7 +117,7 @@ class Features:
                 error = refused(twin, partial(rotator.write, name, 1.0), CommandRefused, f"writing {name}")
                 require(getattr(error, "reason", "") == "unsupported", f"writing {name}: {error}")
 
-    def test_a_value_beyond_its_range_is_refused_with_nothing_sent(self, bench: Bench) -> None:
+    def test_a_value_beyond_its_range_is_refused_with_nothing_sent(self, bench: TestBench) -> None:
         """The error says the value and the limit, and is a ValueError too."""
         with opened(bench) as (rotator, twin):
             for each in rotator.features.values():
@@ -127,7 +129,7 @@ class Features:
                 require(isinstance(error, OutOfRange), f"{each.id}: {type(error).__name__} {error}")
                 require(f"{beyond:g}" in str(error) and f"{limit:g}" in str(error), f"{each.id}: {error}")
 
-    def test_what_is_written_is_read_back(self, bench: Bench) -> None:
+    def test_what_is_written_is_read_back(self, bench: TestBench) -> None:
         """The machine itself says what it took, and says it again when it is asked; nothing moves."""
         with opened(bench) as (rotator, twin):
             before = twin.truth()
@@ -151,8 +153,8 @@ class Features:
     def _is_sent(self, rotator: Rotator, twin: Twin, feature: Feature) -> None:
         """What can't be asked for reaches the machine, and its answer says that it was taken."""
         limits = feature.range
-        values: tuple[Value, ...] = (True,) if feature.kind is Kind.MOMENTARY else ()
-        if feature.kind is Kind.SWITCH:
+        values: tuple[Value, ...] = (True,) if feature.kind is FeatureKind.MOMENTARY else ()
+        if feature.kind is FeatureKind.SWITCH:
             values = True, False
         elif limits is not None and math.isfinite(limits.high - limits.low):
             values = limits.low, limits.high
@@ -166,22 +168,22 @@ class Features:
     @staticmethod
     def _other(feature: Feature, was: Value) -> Value:
         """Return another value than the present one."""
-        if feature.kind is Kind.SWITCH:
+        if feature.kind is FeatureKind.SWITCH:
             return not was
         limits = feature.range
-        if feature.kind is not Kind.NUMBER or limits is None or not math.isfinite(limits.high - limits.low):
+        if feature.kind is not FeatureKind.NUMBER or limits is None or not math.isfinite(limits.high - limits.low):
             return was
         low, high = limits.low, limits.high
         return low + (high - low) * (0.25 if float(was) > (low + high) / 2.0 else 0.75)
 
     @staticmethod
     def _same(feature: Feature, one: Value, other: Value) -> bool:
-        if feature.kind is not Kind.NUMBER:
+        if feature.kind is not FeatureKind.NUMBER:
             return one == other
         span = 1.0 if feature.range is None else feature.range.high - feature.range.low
         return math.isclose(float(one), float(other), rel_tol=NEAR, abs_tol=NEAR * span if math.isfinite(span) else 0.0)
 
-    def test_nothing_is_read_in_motion_that_may_not_be(self, bench: Bench) -> None:
+    def test_nothing_is_read_in_motion_that_may_not_be(self, bench: TestBench) -> None:
         """A question at the wrong time may cost the motion: it is refused by who asks."""
         with Stage(bench) as stage:
             stage.found()

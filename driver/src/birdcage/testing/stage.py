@@ -14,9 +14,9 @@ from birdcage.station.events import Event
 from birdcage.station.requests import Goto, ReleaseLease, Request, Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
-from birdcage.station.state import Activity, Link, StationState
+from birdcage.station.state import Activity, LinkPhase, StationState
 from birdcage.station.station import Station
-from birdcage.testing.twin import Bench, Taken, Truth, Twin
+from birdcage.testing.twin import SeenCommand, TestBench, Truth, Twin
 
 STEP_S = 0.1
 LONGEST_MOVE_S = 240.0
@@ -39,7 +39,7 @@ class Stage:
 
     def __init__(
         self,
-        bench: Bench,
+        bench: TestBench,
         twin: Callable[[VirtualClock], Twin] | None = None,
         settings: Mapping[str, Any] | None = None,
     ) -> None:
@@ -84,7 +84,7 @@ class Stage:
         """Open, meet, and read everything there is; somebody looks at the position from then on."""
         self.station.submit(Watch("contract", frozenset({"position"}), 2.0))
         self.until(
-            lambda: self.state.link.state is Link.UP and self.state.surveyed and (self.is_found or not self.tells),
+            lambda: self.state.link.state is LinkPhase.UP and self.state.surveyed and (self.is_found or not self.tells),
             self.bench.ready_s, "the machine was met and its position read",
         )  # fmt: skip
         self.until(lambda: self.state.activity is Activity.IDLE, self.bench.ready_s, "the machine was seen at rest")
@@ -197,7 +197,7 @@ class Stage:
         assert high is not None
         return low, high
 
-    def taken_since(self, at: float) -> list[Taken]:
+    def taken_since(self, at: float) -> list[SeenCommand]:
         """Return the commands of moves that reached the machine after a moment."""
         return [each for each in self.twin.taken() if each.at > at]
 

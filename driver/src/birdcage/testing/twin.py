@@ -23,7 +23,7 @@ class Truth:
 
 
 @dataclass(frozen=True, slots=True)
-class Taken:
+class SeenCommand:
     """Something that reached the machine and sets axes in motion."""
 
     at: float
@@ -42,7 +42,7 @@ class Twin(ABC):
         """Return what the mechanics do now."""
 
     @abstractmethod
-    def taken(self) -> Sequence[Taken]:
+    def taken(self) -> Sequence[SeenCommand]:
         """Return every command of a move that has reached the machine, oldest first."""
 
     @abstractmethod
@@ -125,7 +125,7 @@ class Golden:
 
 
 @dataclass(frozen=True, slots=True)
-class Bench:
+class TestBench:
     """A machine with its twin: what every case of the contract is given."""
 
     machine: str

@@ -6,45 +6,45 @@ from concurrent.futures import Future
 
 from birdcage.antenna.motion import longest_s
 from birdcage.base.errors import BirdcageError
-from birdcage.station.pursuit import PursuitOptions
+from birdcage.station.pursuit_state import PursuitOptions
 from birdcage.station.requests import Goto, Pursue, Release
-from birdcage.station.state import MOVING, Link
+from birdcage.station.state import MOVING, LinkPhase
 from birdcage.testing.passing import made_up_pass
 from birdcage.testing.stage import LONGEST_MOVE_S, Stage, require
-from birdcage.testing.twin import Bench
+from birdcage.testing.twin import TestBench
 
 NOTICED_S = 30.0
 BACK_S = 60.0
 
 
-class Wire:
+class WireContract:
     """What is not known is not claimed, and nothing moves by itself afterwards."""
 
-    def test_pulled_out_in_motion_and_put_back(self, bench: Bench) -> None:
+    def test_pulled_out_in_motion_and_put_back(self, bench: TestBench) -> None:
         """The motion is ended in words, its position no longer claimed, and the machine comes back without moving."""
         with Stage(bench) as stage:
             motion = self._moving(stage)
             stage.twin.unplug()
-            stage.until(lambda: stage.state.link.state is Link.LOST, NOTICED_S, "the lost line was noticed")
+            stage.until(lambda: stage.state.link.state is LinkPhase.LOST, NOTICED_S, "the lost line was noticed")
             self._claims_nothing(stage, motion)
             stage.until(lambda: not stage.truth.moving, LONGEST_MOVE_S, "the mechanics rest by themselves")
             stage.twin.plug()
             self._comes_back(stage)
 
-    def test_pulled_out_at_rest_and_put_back(self, bench: Bench) -> None:
+    def test_pulled_out_at_rest_and_put_back(self, bench: TestBench) -> None:
         """It can be used again at once."""
         with Stage(bench) as stage:
             stage.found()
             stage.twin.unplug()
-            stage.until(lambda: stage.state.link.state is Link.LOST, NOTICED_S, "the lost line was noticed")
+            stage.until(lambda: stage.state.link.state is LinkPhase.LOST, NOTICED_S, "the lost line was noticed")
             require(stage.state.position_lost is not None, "the position is still claimed")
             stage.twin.plug()
             self._comes_back(stage)
             self._goes(stage)
 
-    def test_each_fault_at_each_moment(self, bench: Bench) -> None:
+    def test_each_fault_at_each_moment(self, bench: TestBench) -> None:
         """The line pulled out, or the machine silent: at rest, in motion, in a pass, and while it is HELD."""
-        for fault, shows in (("unplug", Link.LOST), ("mute", Link.SILENT)):
+        for fault, shows in (("unplug", LinkPhase.LOST), ("mute", LinkPhase.SILENT)):
             for moment in (self._at_rest, self._moving, self._passing, self._held):
                 with Stage(bench) as stage:
                     if moment == self._passing and stage.facts.no_following:
@@ -59,13 +59,13 @@ class Wire:
                     self._comes_back(stage)
                     require(stage.state.held is not None or not held, f"{fault}: STOP no longer holds it")
 
-    def test_silent_in_motion(self, bench: Bench) -> None:
+    def test_silent_in_motion(self, bench: TestBench) -> None:
         """A machine that no longer answers is said to be silent, and its STOP is not called confirmed."""
         with Stage(bench) as stage:
             motion = self._moving(stage)
             stage.twin.mute()
             stage.station.stop("contract")
-            stage.until(lambda: stage.state.link.state is Link.SILENT, NOTICED_S, "the silence was noticed")
+            stage.until(lambda: stage.state.link.state is LinkPhase.SILENT, NOTICED_S, "the silence was noticed")
             self._claims_nothing(stage, motion)
             stop = stage.state.last_stop
             require(stop is not None and stop.confirmed is not True, f"STOP reached nothing and is confirmed: {stop}")
@@ -75,7 +75,7 @@ class Wire:
             require(stage.state.held is not None, "STOP no longer holds it")
 
     @staticmethod
-    def _until(stage: Stage, shows: Link) -> None:
+    def _until(stage: Stage, shows: LinkPhase) -> None:
         # One that does not tell its position is asked nothing before its motion is over, be it the longest that it has.
         within_s = NOTICED_S + (0.0 if stage.tells else longest_s(stage.facts))
         stage.until(lambda: stage.state.link.state is shows, within_s, f"the link was shown as {shows.value}")
@@ -122,7 +122,7 @@ class Wire:
     def _comes_back(stage: Stage) -> None:
         since, before = stage.clock.monotonic(), stage.truth
         stage.until(
-            lambda: stage.state.link.state is Link.UP and (stage.is_found or stage.knows_nothing()),
+            lambda: stage.state.link.state is LinkPhase.UP and (stage.is_found or stage.knows_nothing()),
             BACK_S, "it came back",
         )  # fmt: skip
         require(stage.rests_for(3.0), "it moves by itself after it came back")

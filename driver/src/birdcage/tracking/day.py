@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from birdcage.sky.reach_model import Reach
+from birdcage.sky.reach_model import PassReach
 from birdcage.tracking.curve import Curve
 
 HOURS = 24.0
@@ -20,7 +20,7 @@ class Day:
 
     sky: Curve
     """Where it stands, true degrees."""
-    reach: Reach
+    reach: PassReach
     limits: tuple[str, ...] = ()
     """What keeps it out of reach, each once, in words: `below the 18° floor`."""
     horizon_deg: float = 0.0

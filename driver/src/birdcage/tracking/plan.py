@@ -8,7 +8,7 @@ from enum import Enum
 from typing import TYPE_CHECKING
 
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach
+from birdcage.sky.reach_model import PassReach
 from birdcage.tracking.curve import Curve, Floats
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True)
-class Aim:
+class PlanTarget:
     """Whom the plan follows."""
 
     name: str
@@ -40,7 +40,7 @@ class Aim:
     """What it sends at that frequency, where that is known."""
 
 
-class Part(Enum):
+class PlanPart(Enum):
     """What the dish does during a stretch of the plan."""
 
     FOLLOW = "follow"
@@ -49,10 +49,10 @@ class Part(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Leg:
+class PlanLeg:
     """A stretch of the plan; legs follow each other in time, with gaps where the target cannot be reached."""
 
-    part: Part
+    part: PlanPart
     start_s: float
     end_s: float
     from_az_deg: float
@@ -70,7 +70,7 @@ class Preposition:
     """Where the dish waits for the first leg, and when it has to leave for it."""
 
     az_deg: float
-    """The dish's own azimuth, as in `Leg`."""
+    """The dish's own azimuth, as in `PlanLeg`."""
     el_deg: float
     true_az_deg: float
     true_el_deg: float
@@ -123,17 +123,17 @@ class Incident:
 class Plan:
     """What will be done, and how well. Nothing in it changes; another plan replaces it."""
 
-    aim: Aim
+    aim: PlanTarget
     made_at: datetime
     passing: Pass | None
     """None for what does not pass: slots, stars, fixed directions, and bodies."""
-    reach: Reach
+    reach: PassReach
     sky: Curve
     """Where the target stands, from AOS to LOS: true degrees, lifted by refraction."""
     course: Curve | None
-    """Where the dish is to stand, in its own degrees, azimuth unrolled as in `Leg`, from the first leg to the last;
+    """Where the dish is to stand, in its own degrees, azimuth unrolled as in `PlanLeg`, from the first leg to the last;
     None if nothing can be reached."""
-    legs: tuple[Leg, ...]
+    legs: tuple[PlanLeg, ...]
     preposition: Preposition | None
     keyholes: tuple[Keyhole, ...]
     forecast: Forecast | None
@@ -169,6 +169,6 @@ class Plan:
         return None if self.day is None else self.day.reach_end_s(self.legs[-1].end_s - 1.0)
 
     @property
-    def rewinds(self) -> tuple[Leg, ...]:
+    def rewinds(self) -> tuple[PlanLeg, ...]:
         """The announced rewinds."""
-        return tuple(leg for leg in self.legs if leg.part is Part.REWIND)
+        return tuple(leg for leg in self.legs if leg.part is PlanPart.REWIND)

@@ -13,9 +13,9 @@ from birdcage.sky.downlinks_words import downlink_values
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.export.fields import iso
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach
+from birdcage.sky.reach_model import PassReach
 from birdcage.tracking.day import HOURS, Day
-from birdcage.tracking.plan import Forecast, Leg, Plan, Preposition
+from birdcage.tracking.plan import Forecast, Plan, PlanLeg, Preposition
 from birdcage.tracking.pointing_error import Level, PointingError
 
 _STEP_S = 1.0
@@ -78,7 +78,7 @@ def _day(day: Day) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _reach(reach: Reach, *, goes_on: bool) -> dict[str, Any]:
+def _reach(reach: PassReach, *, goes_on: bool) -> dict[str, Any]:
     """Return it; where it `goes_on` beyond the plan, without the end of the last interval and without a total."""
     last = reach.intervals[-1] if goes_on and reach.intervals else None
     return {
@@ -92,7 +92,7 @@ def _reach(reach: Reach, *, goes_on: bool) -> dict[str, Any]:
     }
 
 
-def _leg(leg: Leg) -> dict[str, Any]:
+def _leg(leg: PlanLeg) -> dict[str, Any]:
     return {
         "part": leg.part.value, "start": _at(leg.start_s), "end": _at(leg.end_s),
         "from_dish_az_deg": _round(leg.from_az_deg), "to_dish_az_deg": _round(leg.to_az_deg), "turn": leg.turn,

@@ -13,7 +13,7 @@ from birdcage.sky.age_words import plus_minus
 from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.day import Day
-from birdcage.tracking.plan import Part, Plan
+from birdcage.tracking.plan import Plan, PlanPart
 from birdcage.tracking.plan_values import follows, is_hidden
 from birdcage.tracking.pointing_error import PointingError, element_words, error_words
 
@@ -83,7 +83,7 @@ def _signal(downlink: Downlink, now: datetime) -> str:
 
 
 def _summary(plan: Plan) -> Iterator[str]:
-    follow_s = sum(leg.end_s - leg.start_s for leg in plan.legs if leg.part is Part.FOLLOW)
+    follow_s = sum(leg.end_s - leg.start_s for leg in plan.legs if leg.part is PlanPart.FOLLOW)
     if not plan.legs or plan.course is None:
         yield "Follow   nothing: it is not within reach"
         return

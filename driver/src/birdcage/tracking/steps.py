@@ -1,8 +1,8 @@
 """What an activity asks of whoever drives it: requests and waits, one at a time.
 
 `docs/architecture.md`, *Threads*: an activity is a generator. It yields a step, the station carries it out on its own
-thread between exchanges, and sends an `Answer` back. Times are POSIX seconds of the clock's UTC, so that a scaled clock
-scales them all; azimuths are the dish's own, unrolled: the turn of the cable where that is known.
+thread between exchanges, and sends a `StepResult` back. Times are POSIX seconds of the clock's UTC, so that a scaled
+clock scales them all; azimuths are the dish's own, unrolled: the turn of the cable where that is known.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ class Send:
 
 
 @dataclass(frozen=True, slots=True)
-class Slew:
+class SlewTo:
     """Send both axes along way points, the usual way, and go on at rest at the last one."""
 
     waypoints: tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class ReadPosition:
     """Read where the dish is."""
 
 
@@ -54,34 +54,35 @@ class Hear:
 
 
 @dataclass(frozen=True, slots=True)
-class Limit:
+class LimitSpeeds:
     """Set the greatest speed of axes, for velocity-matched moves; whoever drives restores them on every way out."""
 
     speeds_deg_s: Mapping[int, float]
     """By motor number."""
 
 
-Step: TypeAlias = Wait | Send | Slew | Look | Hear | Limit
+Step: TypeAlias = Wait | Send | SlewTo | ReadPosition | Hear | LimitSpeeds
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class StepResult:
     """What came of a step."""
 
     now_s: float
     sent_s: float | None = None
-    """When the line of a `Send` or `Limit` began to go out; None if its answer was lost: it may have been taken."""
+    """When the line of a `Send` or `LimitSpeeds` began to go out; None if its answer was lost: it may have been
+    taken."""
     az_deg: float | None = None
-    """Of a `Look` or `Slew`: where the dish was; None if that is not known."""
+    """Of a `ReadPosition` or `SlewTo`: where the dish was; None if that is not known."""
     el_deg: float | None = None
     seen_s: float | None = None
     """When it was there, as well as can be told: in the middle of the exchange."""
 
     def is_lost(self, step: Step) -> bool:
         """Return whether the dish's answer to a step was lost, or came too late."""
-        if isinstance(step, Look):
+        if isinstance(step, ReadPosition):
             return self.az_deg is None
-        return isinstance(step, Send | Limit) and self.sent_s is None
+        return isinstance(step, Send | LimitSpeeds) and self.sent_s is None
 
 
-Activity: TypeAlias = Generator[Step, Answer, None]
+Activity: TypeAlias = Generator[Step, StepResult, None]

@@ -14,14 +14,14 @@ MARGIN_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class WaypointRoute:
     """Every stop, the last one too, and about how long it takes to be there."""
 
     stops: tuple[Point, ...]
     seconds: float
 
 
-def way(bounds: Bounds, model: Facts, here: Point, to: Point, *, turn_known: bool) -> Way:
+def way(bounds: Bounds, model: Facts, here: Point, to: Point, *, turn_known: bool) -> WaypointRoute:
     """Return the way, in the turns of `to`; azimuth goes the short way unless the turn of the cable is known.
 
     `turn_known`: whether the turns of `to` tell that of the cable; it counts while the dish still knows its own.
@@ -30,7 +30,11 @@ def way(bounds: Bounds, model: Facts, here: Point, to: Point, *, turn_known: boo
     """
     turn = to[0] - here[0] if turn_known and bounds.turn_known else shortest_turn(here[0], to[0])
     found = route(bounds, model, (to[0] - turn, here[1]), to)
-    return Way((to,), 0.0) if found is None else Way(found.stops, found.seconds + MARGIN_S * len(found.stops))
+    return (
+        WaypointRoute((to,), 0.0)
+        if found is None
+        else WaypointRoute(found.stops, found.seconds + MARGIN_S * len(found.stops))
+    )
 
 
 def nearest_turn(here_az: float, az_deg: float, cable: tuple[float, float] | None) -> float:

@@ -8,10 +8,10 @@ from __future__ import annotations
 import threading
 from dataclasses import replace
 
-from birdcage.base.clock import Outcome
+from birdcage.base.clock import WaitOutcome
 from birdcage.base.errors import LinkError, NoReply
 from birdcage.rotator.axis import Axis, CableRange, Role
-from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Survey, Taken
@@ -27,7 +27,7 @@ FACTS = Facts(
         Axis("elevation", Role.EL, 0.0, 90.0, 2.0, 10.0, 0.1, speed_known=False),
     ),
     cable=CableRange(0.0, 360.0),
-    turn=Turn.REPORTED,
+    turn=CableTurn.REPORTED,
     second_same=SecondMove.RETARGET,
     second_other=SecondMove.RETARGET,
     stop_ladder=(
@@ -73,7 +73,7 @@ class Learner(PlainRotator):
         self._machine = self._clock = None
 
     def _pause(self, until):
-        while self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+        while self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
 
     def _call(self, function, *given, permit=None):
@@ -130,7 +130,7 @@ class Learner(PlainRotator):
         return (None,) * done
 
     def listen(self, until):
-        if self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+        if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
         if not self._machine.plugged:
             raise LinkError("Learner is gone.", reason="lost")

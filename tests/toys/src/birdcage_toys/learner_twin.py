@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 
-from birdcage.testing import Taken, Truth, Twin
+from birdcage.testing import SeenCommand, Truth, Twin
 
 from birdcage_toys.learner import MACHINES
 from birdcage_toys.motor import Motor
@@ -61,7 +61,7 @@ class LearnerTwin(Twin):
         self._answer()
         for motor, deg in sent.items():
             self.motors[motor].go(deg)
-        self.heard.append(Taken(self.clock.monotonic(), frozenset(sent)))
+        self.heard.append(SeenCommand(self.clock.monotonic(), frozenset(sent)))
 
     def halt(self):
         """Tells whether it was heard."""

@@ -12,9 +12,9 @@ from birdcage.base.errors import LinkError, NoReply
 from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
 from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
-from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
-from birdcage.rotator.feature import Cost, Feature, Kind, Range, Writer
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
+from birdcage.rotator.feature import Cost, Feature, FeatureKind, Range, Writer
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Taken
@@ -22,12 +22,12 @@ from birdcage.rotator.values import Look, Taken
 SPEED_DEG_S = 12.0
 LAMP = r"L (\d+)"
 FEATURES = FeatureTable(
-    Row(
-        Feature("supply", "Supply voltage", "V", Kind.NUMBER, Range(0.0, 30.0), cost=Cost(while_moving=True)),
+    FeatureRow(
+        Feature("supply", "Supply voltage", "V", FeatureKind.NUMBER, Range(0.0, 30.0), cost=Cost(while_moving=True)),
         lambda pushy: {"supply": float(pushy.ask("V", r"V (\S+)"))},
     ),
-    Row(
-        Feature("lamp", "Lamp at its foot", "%", Kind.NUMBER, Range(0.0, 100.0), Writer.UNTIL_RESTART),
+    FeatureRow(
+        Feature("lamp", "Lamp at its foot", "%", FeatureKind.NUMBER, Range(0.0, 100.0), Writer.UNTIL_RESTART),
         lambda pushy: {"lamp": float(pushy.ask("L", LAMP))},
         lambda pushy, bright: {"lamp": float(pushy.ask(f"L {bright:.0f}", LAMP))},
     ),
@@ -42,7 +42,7 @@ FACTS = Facts(
         Axis("tilt", Role.EL, 0.0, 85.0, SPEED_DEG_S, 400.0, 0.1),
     ),
     cable=CableRange(-270.0, 270.0),
-    turn=Turn.REPORTED,
+    turn=CableTurn.REPORTED,
     second_same=SecondMove.RETARGET,
     second_other=SecondMove.RETARGET,
     stop_ladder=(

@@ -7,7 +7,7 @@ from collections import deque
 
 from birdcage.base.errors import LinkError
 from birdcage.link.link import Link
-from birdcage.testing import Taken, Truth, Twin
+from birdcage.testing import SeenCommand, Truth, Twin
 
 from birdcage_toys.motor import Motor
 
@@ -105,7 +105,7 @@ class PushyTwin(Twin):
         for motor, deg in sent.items():
             self.motors[motor].go(deg)
         if words[0] == "G":
-            self.heard.append(Taken(self.clock.monotonic(), frozenset(sent)))
+            self.heard.append(SeenCommand(self.clock.monotonic(), frozenset(sent)))
             self.sent_to.append(sent)
         self._out.append((self.clock.monotonic() + LATENCY_S, "K\n" if words[0] == "G" else "S\n"))
 

@@ -12,10 +12,10 @@ import time
 from dataclasses import replace
 from math import asin, atan2, cos, degrees, radians, sin
 
-from birdcage.base.clock import Outcome
+from birdcage.base.clock import WaitOutcome
 from birdcage.base.errors import LinkError, NoReply, PositionUnknown
 from birdcage.rotator.axis import Axis, Role
-from birdcage.rotator.facts import Facts, Readback, SearchSwitch, SecondMove, Turn
+from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, Rung, StopMeans
 from birdcage.rotator.mapping import Arc
 from birdcage.rotator.plain import PlainLine, PlainRotator
@@ -32,7 +32,7 @@ FACTS = Facts(
     axes=(HOUR,),
     mapping_lacks="Its arc depends on where it stands: set your location (`birdcage place add`), then connect again.",
     cable=None,
-    turn=Turn.UNKNOWN,
+    turn=CableTurn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(
@@ -144,7 +144,7 @@ class Swing(PlainRotator):
             machine.halt()
 
     def _pause(self, until):
-        while self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+        while self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
 
     def _call(self, function, *given, permit=None):
@@ -191,7 +191,7 @@ class Swing(PlainRotator):
         return (None,) * len(answers)
 
     def listen(self, until):
-        if self.clock.wait(None, until, self._hooks.wake) is Outcome.INTERRUPTED and self._hooks.on_wake:
+        if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
         if not self._machine.plugged:
             raise LinkError("Swing is gone.", reason="lost")

@@ -6,7 +6,7 @@ import itertools
 import threading
 from math import asin, atan2, cos, degrees, radians, sin
 
-from birdcage.testing import Taken, Truth, Twin
+from birdcage.testing import SeenCommand, Truth, Twin
 
 from birdcage_toys.motor import Motor
 from birdcage_toys.swing import MACHINES
@@ -76,7 +76,7 @@ class SwingTwin(Twin):
     def turn(self, hour_deg):
         self._answer()
         self.motor.go(round(hour_deg, 1))
-        self.heard.append(Taken(self.clock.monotonic(), frozenset({0, 1})))
+        self.heard.append(SeenCommand(self.clock.monotonic(), frozenset({0, 1})))
 
     def halt(self):
         self._answer()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
 
 if TYPE_CHECKING:
     from birdcage_tui.calibrate.feed import CalibrateNow
@@ -37,4 +37,4 @@ def name(now: CalibrateNow | None) -> FieldsScreen:
             return "Type a name for this setup of the dish: Roof."
         return ""
 
-    return FieldsScreen("Use this fit", words, (Field("name", active, "Roof"),), check)
+    return FieldsScreen("Use this fit", words, (FieldRow("name", active, "Roof"),), check)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from birdcage.base.alignments import AlignmentSet
-    from birdcage.calibration.candidates import Candidate
+    from birdcage.calibration.candidates import CalibrationObject
     from birdcage.calibration.guide import GuideView
 
 
@@ -54,7 +54,7 @@ class CalibrateSource(Protocol):
     def look(self) -> None:
         """Somebody looks at it now: it is kept fresh for some seconds."""
 
-    def go(self, candidate: Candidate | None, done: Future[object]) -> None:
+    def go(self, candidate: CalibrationObject | None, done: Future[object]) -> None:
         """Turn the dish to an object; None: to the present one, as it moves on. `done` at the end of the way."""
 
     def nudge(self, right_deg: float, up_deg: float, done: Future[object]) -> None:

@@ -9,7 +9,7 @@ from textual import events
 from birdcage_tui.calibrate.words import maybe, put_wrapped
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, pad, wrap
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
 
@@ -89,11 +89,11 @@ class ListPane(Pane):
     def move(self, by: int) -> None:
         """Move the cursor."""
         self.at = max(self.at + by, 0)
-        cast(Host, self.app).paint()
+        cast(AppHost, self.app).paint()
 
     def on_focus(self) -> None:
         """Show the cursor."""
-        cast(Host, self.app).paint()
+        cast(AppHost, self.app).paint()
 
     def on_click(self, event: events.Click) -> None:
         """Choose the row under the mouse."""
@@ -101,7 +101,7 @@ class ListPane(Pane):
         if offset is not None:
             event.stop()
             self.at = self._top + max(offset.y - self._headed, 0)
-            cast(Host, self.app).paint()
+            cast(AppHost, self.app).paint()
 
     def do(self, command: str) -> bool:
         """Move the cursor; the rest is the page's."""

@@ -17,9 +17,9 @@ from birdcage_tui.view import YOU
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
-    from birdcage.calibration.candidates import Candidate
+    from birdcage.calibration.candidates import CalibrationObject
     from birdcage.calibration.guide import Guide
-    from birdcage.calibration.peak import Peak
+    from birdcage.calibration.peak import MeasuredPeak
     from birdcage.sky.targets.model import Target
     from birdcage.station.session import Session
 
@@ -67,7 +67,7 @@ class GuideDesk:
         self._guide: Guide | None = None
         self._target: Target | None = None
         self._ways: list[Future[object]] = []
-        self._removed: list[tuple[Peak, ...]] = []
+        self._removed: list[tuple[MeasuredPeak, ...]] = []
         self._told = self._wrong = ""
         self._stale = True
         """Whether what is proposed does not fit the peaks any more."""
@@ -89,7 +89,7 @@ class GuideDesk:
             self._orders.put(self._arrive)
         self._looked_at = now
 
-    def go(self, candidate: Candidate | None, done: Future[object]) -> None:
+    def go(self, candidate: CalibrationObject | None, done: Future[object]) -> None:
         """Turn the dish to an object."""
 
         def deed(guide: Guide) -> str:

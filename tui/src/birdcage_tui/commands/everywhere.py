@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.known import SearchSwitch
-from birdcage.station.state import Search
+from birdcage.station.state import TvSearch
 
 from birdcage_tui.commands.table import Command, can_home, can_release
 from birdcage_tui.view import View
@@ -20,7 +20,7 @@ def can_end_search(view: View) -> str | None:
         return "No command is known that ends this dish's TV search. Wait until it rests."
     if dish.search_switch is not SearchSwitch.UNTIL_POWER_UP:
         return "This dish's TV search is switched off by a setting: Setup (8), step 3."
-    if search is Search.OFF_UNTIL_POWER_UP:
+    if search is TvSearch.OFF_UNTIL_POWER_UP:
         return "The search has ended. It starts again at the next power-up."
     return None
 

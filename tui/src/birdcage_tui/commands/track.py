@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command, Reason, can_release, can_step
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.view import View
 
 PAGE, HERE = "control", ("craft",)

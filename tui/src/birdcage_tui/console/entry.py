@@ -10,7 +10,7 @@ from textual.binding import Binding
 from textual.widgets import Input
 
 from birdcage_tui.esc_field import LeaveField
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 
 
 class ConsoleInput(Input):
@@ -40,7 +40,7 @@ class ConsoleInput(Input):
 
     def action_complete(self) -> None:
         """Complete what was typed."""
-        cast(Host, self.app).action_command("console-complete")
+        cast(AppHost, self.app).action_command("console-complete")
 
 
 class Purpose(Enum):

@@ -9,7 +9,7 @@ from birdcage.station.session import Session
 from birdcage.station.station import Station
 
 from birdcage_tui.console.tap import WireTap
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.view import View
 
 
@@ -18,7 +18,7 @@ class ConsoleHost(Protocol):
 
     session: Session
     station: Station
-    settings: AppSettings
+    settings: AppOptions
     tap: WireTap
     tap_problem: str
     """Why the wire cannot be heard, in a sentence; empty when it can."""

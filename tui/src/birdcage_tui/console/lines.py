@@ -30,7 +30,7 @@ class Stamps(Enum):
         return order[(order.index(self) + 1) % len(order)]
 
 
-class Part(Enum):
+class LinePart(Enum):
     """What a line is in the talk."""
 
     PLAIN = "plain"
@@ -49,13 +49,13 @@ class Part(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
+class LogLine:
     """One line that passed: `>` to the dish, `<` from it; or a remark, `#`."""
 
     utc: datetime
     direction: Direction
     data: bytes
-    part: Part = Part.PLAIN
+    part: LinePart = LinePart.PLAIN
     is_prompt: bool = False
     """Whether the dish asks for the next line with it."""
 
@@ -75,17 +75,17 @@ class Line:
     @property
     def ink(self) -> str:
         """Its colour; the glyph says the same."""
-        if self.part in (Part.POLL, Part.ECHO, Part.MARK):
+        if self.part in (LinePart.POLL, LinePart.ECHO, LinePart.MARK):
             return "dim"
         if self.direction == "#":
-            return "warn" if self.part is Part.WARNING else "text"
+            return "warn" if self.part is LinePart.WARNING else "text"
         if self.direction == ">":
-            return "accent-strong" if self.part is Part.YOURS else "accent"
+            return "accent-strong" if self.part is LinePart.YOURS else "accent"
         return "dim" if self.is_prompt else "text"
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class CellRow:
     """One row of cells. `number` counts lines from the first that was ever taken in."""
 
     number: int
@@ -95,7 +95,7 @@ class Row:
     ink: str
 
 
-def stamp_of(line: Line, before: Line | None, stamps: Stamps) -> str:
+def stamp_of(line: LogLine, before: LogLine | None, stamps: Stamps) -> str:
     """Return what stands before the line; always of the same width."""
     if stamps is Stamps.OFF:
         return ""
@@ -106,14 +106,16 @@ def stamp_of(line: Line, before: Line | None, stamps: Stamps) -> str:
     return f"{f'+{max((line.utc - before.utc).total_seconds(), 0.0):.3f}':>9} "
 
 
-def rows_of(line: Line, number: int, before: Line | None, width: int, stamps: Stamps, *, as_hex: bool) -> list[Row]:
+def rows_of(
+    line: LogLine, number: int, before: LogLine | None, width: int, stamps: Stamps, *, as_hex: bool
+) -> list[CellRow]:
     """Lay a line out in rows of at most `width` columns: stamp, glyph, space, text."""
     stamp = stamp_of(line, before, stamps)
     room = max(width - len(stamp) - 2, 8)
-    by = BY_BIRDCAGE if line.direction == ">" and line.part in (Part.PLAIN, Part.STEP) else ""
+    by = BY_BIRDCAGE if line.direction == ">" and line.part in (LinePart.PLAIN, LinePart.STEP) else ""
     pieces = _hex(line.data, room) if as_hex and line.direction != "#" else _wrapped(line.text + by, room)
     return [
-        Row(number, stamp if not index else " " * len(stamp), line.direction if not index else " ", piece, line.ink)
+        CellRow(number, stamp if not index else " " * len(stamp), line.direction if not index else " ", piece, line.ink)
         for index, piece in enumerate(pieces)
     ]
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from textual import events
 
 from birdcage_tui.canvas import Cells
-from birdcage_tui.console.lines import Line, Row, Stamps
+from birdcage_tui.console.lines import CellRow, LogLine, Stamps
 from birdcage_tui.console.scrollback import KEPT, Scrollback
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -42,7 +42,7 @@ class LogView(Pane, can_focus=True):
         """How many lines have come since the reader scrolled up."""
         return 0 if self.following else self.back.told - self._read_to
 
-    def add(self, lines: Sequence[Line]) -> None:
+    def add(self, lines: Sequence[LogLine]) -> None:
         """Take lines in; what is being read stays where it is."""
         if not lines:
             return
@@ -158,7 +158,7 @@ class LogView(Pane, can_focus=True):
         for y, row in enumerate(seen, cells.height - len(seen) if self.following else 0):
             self._draw_row(cells, y, row)
 
-    def _draw_row(self, cells: Cells, y: int, row: Row) -> None:
+    def _draw_row(self, cells: Cells, y: int, row: CellRow) -> None:
         x = cells.put(0, y, row.stamp, "dim")
         x = cells.put(x, y, f"{row.glyph} ", row.ink)
         cells.put(x, y, row.text, row.ink)

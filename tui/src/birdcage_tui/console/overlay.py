@@ -25,7 +25,7 @@ from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
 from birdcage_tui.console.wire_log import WireLog
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.stop_words import esc_text
 from birdcage_tui.view import View
 
@@ -252,7 +252,7 @@ class ConsoleOverlay(Container):
             return
         words = f"{len(self._pane.back.lines)} lines saved: {path}"
         self._remark(words)
-        cast(Host, self.app).say(words)  # in the log it would soon scroll away
+        cast(AppHost, self.app).say(words)  # in the log it would soon scroll away
 
     def _remark(self, words: str) -> None:
         self._wire.remark(words, self._shell.session.clock.utc())

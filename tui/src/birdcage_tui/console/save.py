@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from datetime import UTC, datetime
 from pathlib import Path
 
-from birdcage.station.raw import Entry, format_line
+from birdcage.station.raw import TranscriptEntry, format_line
 
-from birdcage_tui.console.lines import Line
+from birdcage_tui.console.lines import LogLine
 
 TRIES = 100
 
 
-def save(lines: Iterable[Line], folder: Path, now: datetime, title: str) -> Path:
+def save(lines: Iterable[LogLine], folder: Path, now: datetime, title: str) -> Path:
     """Write the lines into a new file in `folder` and return its path; a file that is there is never touched.
 
     OSError when it cannot be written.
@@ -27,7 +27,7 @@ def save(lines: Iterable[Line], folder: Path, now: datetime, title: str) -> Path
         except FileExistsError:
             continue
         with file:
-            file.write(f"{format_line(Entry(now, '#', title.encode()))}\n")
-            file.writelines(f"{format_line(Entry(line.utc, line.direction, line.data))}\n" for line in lines)
+            file.write(f"{format_line(TranscriptEntry(now, '#', title.encode()))}\n")
+            file.writelines(f"{format_line(TranscriptEntry(line.utc, line.direction, line.data))}\n" for line in lines)
         return path
     raise FileExistsError(17, "there are too many files of this second", str(folder))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.station.raw import CONSOLE, IDLE_S, Grade, MenuCommand, Verdict
-from birdcage.station.state import Link
+from birdcage.station.state import LinkPhase
 
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text
@@ -39,7 +39,7 @@ def prompt_words(view: View, prompt: str, *, has_prompt: bool) -> str:
 
     A dash without a link; `?` while no prompt was seen; nothing on a machine that shows none.
     """
-    if view.state.link.state is not Link.UP:
+    if view.state.link.state is not LinkPhase.UP:
         return "—"
     if not has_prompt:
         return ""

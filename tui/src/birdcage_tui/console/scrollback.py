@@ -6,7 +6,7 @@ from bisect import bisect_left
 from collections.abc import Iterable
 from dataclasses import replace
 
-from birdcage_tui.console.lines import Line, Part, Row, Stamps, rows_of, stamp_of
+from birdcage_tui.console.lines import CellRow, LinePart, LogLine, Stamps, rows_of, stamp_of
 
 KEPT = 5000
 FOLD = "+"
@@ -19,8 +19,8 @@ class Scrollback:
     """Lines and their rows for one width and one way of writing them."""
 
     def __init__(self, kept: int = KEPT) -> None:
-        self.lines: list[Line] = []
-        self.rows: list[Row] = []
+        self.lines: list[LogLine] = []
+        self.rows: list[CellRow] = []
         self.taken = 0
         """How many lines were ever taken in."""
         self.told = 0
@@ -31,13 +31,13 @@ class Scrollback:
         self.stamps = Stamps.UTC
         self.as_hex = False
         self._kept = kept
-        self._before: Line | None = None
+        self._before: LogLine | None = None
         self._folding = 0
         """How many lines the last row stands for; 0 when it is one of a line."""
         self._steps = False
         """Whether steps of a pursuit are among them."""
 
-    def add(self, lines: Iterable[Line]) -> int:
+    def add(self, lines: Iterable[LogLine]) -> int:
         """Take lines in; return how many rows were cut off at the top."""
         for line in lines:
             self.told += self._place(line, self.taken)
@@ -73,18 +73,18 @@ class Scrollback:
         self.rows.clear()
         self._before, self._folding = None, 0
 
-    def _place(self, line: Line, number: int) -> bool:
+    def _place(self, line: LogLine, number: int) -> bool:
         """Append the rows of a line; return whether it is seen as one of its own."""
-        if self.folded and line.part in (Part.ECHO, Part.MARK):
+        if self.folded and line.part in (LinePart.ECHO, LinePart.MARK):
             return False
-        if self.folded and line.part in (Part.POLL, Part.STEP):
+        if self.folded and line.part in (LinePart.POLL, LinePart.STEP):
             number = self.rows.pop().number if self._folding else number
-            self._steps = line.part is Part.STEP or (self._steps and self._folding > 0)
+            self._steps = line.part is LinePart.STEP or (self._steps and self._folding > 0)
             self._folding += 1
             stamp = stamp_of(line, self._before, self.stamps)
             what = "tracking and polling" if self._steps else "polling"
             lines = "1 line" if self._folding == 1 else f"{self._folding} lines"
-            self.rows.append(Row(number, stamp, FOLD, f"{lines} of {what}, p shows all"[: self.width], "dim"))
+            self.rows.append(CellRow(number, stamp, FOLD, f"{lines} of {what}, p shows all"[: self.width], "dim"))
             return False
         self.rows += rows_of(line, number, self._before, self.width, self.stamps, as_hex=self.as_hex)
         self._before, self._folding = line, 0

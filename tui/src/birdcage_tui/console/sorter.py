@@ -8,7 +8,7 @@ from typing import Protocol
 
 from birdcage.station.raw import Grade, parse_mark
 
-from birdcage_tui.console.lines import Line, Part
+from birdcage_tui.console.lines import LinePart, LogLine
 
 ANSWER_S = 2.0
 """What comes later than this is no answer to a poll: a dish that restarts prints for seconds."""
@@ -37,15 +37,15 @@ class Sorter:
         self._typed: str | None = None
         self._prompt = ""
         """What the dish wrote last; one of before a gap holds until the next, as the station asks for it first."""
-        self._sent: Line | None = None
+        self._sent: LogLine | None = None
         """The last line that went out, until the dish has repeated it."""
-        self._polled: Line | None = None
+        self._polled: LogLine | None = None
         self._owed = 0
         """Prompts that the poll or the step under way still waits for."""
         self._stepped: frozenset[str] | None = None
         """The commands of the step under way; None: it is a poll."""
 
-    def sort(self, line: Line, *, step: bool = False) -> Line:
+    def sort(self, line: LogLine, *, step: bool = False) -> LogLine:
         """Return the line with the part it plays, and whether it is a prompt; `step`: a pursuit sent it."""
         prompt = line.direction == "<" and not line.is_ended and self._speech.is_prompt(line.text)
         line = replace(line, is_prompt=prompt)
@@ -57,44 +57,44 @@ class Sorter:
             part = self._in(line)
         return replace(line, part=part)
 
-    def _remark(self, line: Line) -> Part:
+    def _remark(self, line: LogLine) -> LinePart:
         mark = parse_mark(line.text)
         if mark is None:
             self._polled = None
-            return Part.PLAIN
+            return LinePart.PLAIN
         self._typed = mark.line.strip()
         if mark.grade > Grade.HARMLESS:
-            return Part.WARNING
-        return Part.PLAIN if mark.about else Part.MARK
+            return LinePart.WARNING
+        return LinePart.PLAIN if mark.about else LinePart.MARK
 
-    def _out(self, line: Line, *, step: bool) -> Part:
+    def _out(self, line: LogLine, *, step: bool) -> LinePart:
         self._sent, self._polled, self._stepped = line, None, None
         text = line.data.decode("ascii", "replace")
         said, ends = [part.strip() for part in LINE_END.split(text.rstrip("\r\n"))], len(LINE_END.findall(text))
         if self._typed is not None and self._typed in said:
             self._typed = None
-            return Part.YOURS
+            return LinePart.YOURS
         if all(not part or self._speech.only_asks(part, self._prompt) for part in said):
             self._polled, self._owed = line, ends
-            return Part.POLL
+            return LinePart.POLL
         if step:
             self._polled, self._owed, self._stepped = line, ends, frozenset(said)
-            return Part.STEP
-        return Part.PLAIN
+            return LinePart.STEP
+        return LinePart.PLAIN
 
-    def _in(self, line: Line) -> Part:
+    def _in(self, line: LogLine) -> LinePart:
         sent, self._sent = self._sent, None
         self._prompt = line.text if line.is_prompt else self._prompt
         polled = self._polled
         if polled is not None and self._owed and (line.utc - polled.utc).total_seconds() < ANSWER_S:
             self._owed -= line.is_prompt
             if self._stepped is None:
-                return Part.POLL
+                return LinePart.POLL
             taken = line.is_prompt or line.text.strip() in self._stepped or self._speech.says_target(line.text)
-            return Part.STEP if taken else Part.PLAIN
+            return LinePart.STEP if taken else LinePart.PLAIN
         self._polled = None
-        return Part.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else Part.PLAIN
+        return LinePart.ECHO if sent is not None and _bare(sent) == _bare(line) != b"" else LinePart.PLAIN
 
 
-def _bare(line: Line) -> bytes:
+def _bare(line: LogLine) -> bytes:
     return line.data.strip(b"\r\n ")

@@ -7,7 +7,7 @@ from collections import deque
 from collections.abc import Callable
 from datetime import datetime
 
-from birdcage.station.raw import Entry
+from birdcage.station.raw import TranscriptEntry
 
 KEPT = 5000
 """How many events wait at most for somebody who looks."""
@@ -19,14 +19,14 @@ class WireTap:
     def __init__(self, is_steering: Callable[[], bool]) -> None:
         self._lock = threading.Lock()
         self._is_steering = is_steering
-        self._events: deque[tuple[Entry, bool]] = deque(maxlen=KEPT)
+        self._events: deque[tuple[TranscriptEntry, bool]] = deque(maxlen=KEPT)
         self._missed = 0
         self.bytes_in = 0
         self.bytes_out = 0
         self.since: datetime | None = None
         """When the first byte passed."""
 
-    def take_in(self, event: Entry) -> None:
+    def take_in(self, event: TranscriptEntry) -> None:
         """Take one event, and whether a pursuit has just sent it: later it would look like a STOP."""
         steering = event.direction == ">" and self._is_steering()
         with self._lock:
@@ -45,7 +45,7 @@ class WireTap:
         """Whether something has come that was not taken out."""
         return bool(self._events)
 
-    def take_out(self) -> tuple[int, list[tuple[Entry, bool]]]:
+    def take_out(self) -> tuple[int, list[tuple[TranscriptEntry, bool]]]:
         """Return how many events were dropped before these, and these, each with whether a pursuit sent it."""
         with self._lock:
             missed, events = self._missed, list(self._events)

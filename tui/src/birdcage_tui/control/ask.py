@@ -10,7 +10,7 @@ from birdcage.base.presets import Preset, checked
 from birdcage.station.known import speed_of
 
 from birdcage_tui.control.book import PresetBook
-from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
 from birdcage_tui.goto_text import is_direction
 from birdcage_tui.stop_words import power_switch
 from birdcage_tui.view import View
@@ -59,7 +59,7 @@ def _number(text: str) -> float | None:
 # Speeds.
 
 
-class Limit(NamedTuple):
+class AxisRange(NamedTuple):
     """An axis: its motor's number, what to call it, the most it does."""
 
     motor: int
@@ -67,10 +67,10 @@ class Limit(NamedTuple):
     most_deg_s: float
 
 
-def _limits(view: View) -> tuple[Limit, ...]:
+def _limits(view: View) -> tuple[AxisRange, ...]:
     dish = view.state.dish
     axes = () if dish is None else (dish.azimuth, dish.elevation)
-    return tuple(Limit(axis.index, axis.name, axis.speed_deg_s) for axis in axes)
+    return tuple(AxisRange(axis.index, axis.name, axis.speed_deg_s) for axis in axes)
 
 
 def speeds(view: View) -> FieldsScreen:
@@ -80,7 +80,7 @@ def speeds(view: View) -> FieldsScreen:
         reading = view.state.readings.get(speed_of(axis.name))
         known = reading is not None and isinstance(reading.value, int | float)
         fields.append(
-            Field(axis.name, f"{reading.value:g}" if reading is not None and known else "",
+            FieldRow(axis.name, f"{reading.value:g}" if reading is not None and known else "",
                   f"{LEAST_DEG_S:g} to {axis.most_deg_s:g} °/s; empty: unchanged")
         )  # fmt: skip
 
@@ -106,15 +106,15 @@ def speeds_of(values: Values | None, view: View) -> Iterator[tuple[int, float]]:
 # Presets.
 
 
-def preset_fields(preset: Preset | None) -> tuple[Field, ...]:
+def preset_fields(preset: Preset | None) -> tuple[FieldRow, ...]:
     """Return the four lines of a preset, filled with what is known of it."""
     az, el = ("", "") if preset is None else (f"{preset.az_deg:.2f}", f"{preset.el_deg:.2f}")
     name, note = ("", "") if preset is None else (preset.name, preset.note)
     return (
-        Field("name", name, "name of the direction"),
-        Field("azimuth °", az, "clockwise from true north"),
-        Field("elevation °", el, "above the horizon"),
-        Field("note", note, "optional"),
+        FieldRow("name", name, "name of the direction"),
+        FieldRow("azimuth °", az, "clockwise from true north"),
+        FieldRow("elevation °", el, "above the horizon"),
+        FieldRow("note", note, "optional"),
     )
 
 
@@ -129,7 +129,7 @@ def preset_of(values: Values) -> Preset:
     return checked(name, az_deg, el_deg, note)
 
 
-def preset(title: str, fields: tuple[Field, ...], book: PresetBook, old: str | None) -> FieldsScreen:
+def preset(title: str, fields: tuple[FieldRow, ...], book: PresetBook, old: str | None) -> FieldsScreen:
     """Return the form for a preset; `old` is the name of the one that is edited."""
 
     def check(values: Values) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from birdcage.station.known import Turn
+from birdcage.station.known import CableTurn
 from birdcage.station.turning import cable_limits
 
 from birdcage_tui.canvas import Cells
@@ -33,7 +33,7 @@ class CablePane(Pane):
         """Draw the gauge, hatched while the turn is not known."""
         state, limits = view.state, cable_limits(view.state)
         known = state.position is not None and state.position.cable_deg is not None
-        told = "turn from the last session" if self.framed and known and state.turn is Turn.REMEMBERED else ""
+        told = "turn from the last session" if self.framed and known and state.turn is CableTurn.REMEMBERED else ""
         if (self.border_subtitle or "") != told:  # setting it repaints, equal or not
             self.border_subtitle = told
         if limits is None:
@@ -47,7 +47,7 @@ class CablePane(Pane):
             return
         left, right = max(0.0, turn - limits[0]), max(0.0, limits[1] - turn)
         name = "" if self.framed else "cable "  # its frame names it
-        if name and state.turn is Turn.REMEMBERED and cells.width >= ROOM_TO_SAY:
+        if name and state.turn is CableTurn.REMEMBERED and cells.width >= ROOM_TO_SAY:
             name = "cable, remembered "
         head, tail = f"{name}CCW {left:3.0f}° left ", f" CW {right:3.0f}° left"
         start, width = 1 + len(head), cells.width - 2 - len(head) - len(tail)

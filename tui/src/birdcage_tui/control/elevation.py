@@ -11,10 +11,10 @@ from textual import events
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.tape import ROWS, draw_tape
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.terminal_cells import ASPECT
-from birdcage_tui.track.pursuing import aimed_at
+from birdcage_tui.track.shown_pursuit import aimed_at
 from birdcage_tui.view import View
 
 UNDER_DEG = 3.0
@@ -216,4 +216,4 @@ class ElevationPane(Pane):
         el_deg = None if offset is None else quarter.direction(offset.x, offset.y)
         if el_deg is not None:
             event.stop()
-            cast(Host, self.app).open_goto(f"el={el_deg:.0f}")
+            cast(AppHost, self.app).open_goto(f"el={el_deg:.0f}")

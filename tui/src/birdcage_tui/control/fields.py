@@ -20,7 +20,7 @@ LINE_END = "␤"
 
 
 @dataclass(frozen=True, slots=True)
-class Field:
+class FieldRow:
     """One line: its name, what stands in it, and what it is for."""
 
     label: str
@@ -59,7 +59,7 @@ class FieldsScreen(Dialog[Values | None]):
     BINDINGS = [("escape", "leave", "close")]  # noqa: RUF012
 
     def __init__(
-        self, title: str, words: str, fields: Sequence[Field], check: Callable[[Values], str], wrong: str = "",
+        self, title: str, words: str, fields: Sequence[FieldRow], check: Callable[[Values], str], wrong: str = "",
         read: Callable[[Values], str] | None = None,
     ) -> None:  # fmt: skip
         super().__init__()

@@ -7,7 +7,7 @@ import re
 
 from birdcage.sky.horizon import HorizonMask
 
-from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
 from birdcage_tui.control.horizon_state import count_text
 
 EXAMPLE = "azimuth and elevation: 231 12.3"
@@ -47,7 +47,7 @@ def point() -> FieldsScreen:
         "The top of a tree or a roof, in true degrees. Straight lines join the points. The horizon limits passes, not "
         "motion."
     )
-    return FieldsScreen("Horizon point", words, (Field("az el", "", EXAMPLE),), check)
+    return FieldsScreen("Horizon point", words, (FieldRow("az el", "", EXAMPLE),), check)
 
 
 def clear(mask: HorizonMask) -> tuple[str, str, str]:

@@ -13,7 +13,7 @@ from birdcage_tui.control import horizon_ask
 from birdcage_tui.control.ask import Change
 from birdcage_tui.control.sketch_screen import SketchScreen
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.view import View
 
 
@@ -24,8 +24,8 @@ class HorizonHands:
         self._page = page
 
     @property
-    def _host(self) -> Host:
-        return cast(Host, self._page.app)
+    def _host(self) -> AppHost:
+        return cast(AppHost, self._page.app)
 
     def do(self, command: str) -> bool:
         """Carry out a command; False for one that is none of the horizon's."""

@@ -8,8 +8,8 @@ from birdcage_tui.commands.table import can_move
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import HEADING, draw_next, next_rows
 from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.pursuing import pursuit_of, told_before_following
-from birdcage_tui.view import Told, View
+from birdcage_tui.track.shown_pursuit import pursuit_of, told_before_following
+from birdcage_tui.view import CommandNote, View
 
 TIME = 11
 """Columns that the time of a command takes, with the gap after it."""
@@ -51,7 +51,7 @@ TALL = 14
 """Rows from which the next passes stand under what was done."""
 
 
-def _rows_of(told: Told, cells: Cells) -> list[str]:
+def _rows_of(told: CommandNote, cells: Cells) -> list[str]:
     return wrap(told.words, max(cells.width - TIME - 2, 10))
 
 

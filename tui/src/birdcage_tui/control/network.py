@@ -13,7 +13,7 @@ from birdcage_tui.control.last import LogPane
 from birdcage_tui.held_words import after_release
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky import SkyPane
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import live_words, next_words, plain_name
 from birdcage_tui.view import YOU, View
 

@@ -9,9 +9,9 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.digits import angle_text
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
-from birdcage_tui.track.pursuing import aimed_at
+from birdcage_tui.track.shown_pursuit import aimed_at
 from birdcage_tui.view import YOU, View
 
 STEPS = ((10.0, 0.0), (1.0, 0.0), (0.1, 0.0), (0.01, 0.0), (0.0, 10.0), (0.0, 1.0), (0.0, 0.1), (0.0, 0.01))
@@ -81,7 +81,7 @@ class DigitsPane(Pane, can_focus=True):
     def nudge(self, digit: int, by: float) -> None:
         """Step a digit: a jog of its size, which carries."""
         d_az, d_el = STEPS[digit]
-        cast(Host, self.app).ask(Jog(by * d_az, by * d_el, YOU))
+        cast(AppHost, self.app).ask(Jog(by * d_az, by * d_el, YOU))
 
     def _again(self) -> None:
         if self.view is not None:
@@ -110,4 +110,4 @@ class DigitsPane(Pane, can_focus=True):
         self.cursor = self._columns.index(offset.x)
         self._again()
         if offset.y in (0, 2):
-            cast(Host, self.app).action_command("digit-up" if offset.y == 0 else "digit-down")
+            cast(AppHost, self.app).action_command("digit-up" if offset.y == 0 else "digit-down")

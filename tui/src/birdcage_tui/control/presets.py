@@ -17,7 +17,7 @@ from birdcage_tui.cell_text import cell_len, cut, elide, pad, wrap
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.sky_directions import SkyDirection, sky_directions
 from birdcage_tui.esc_field import EscField
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
 from birdcage_tui.view import View
@@ -64,7 +64,7 @@ class PresetsPane(Pane, can_focus=True):
 
     def chosen(self) -> Preset | None:
         """Return the one under the cursor; None when there is none."""
-        view = cast(Host, self.app).view()
+        view = cast(AppHost, self.app).view()
         shown = self.shown(view)
         return shown[min(self.cursor, len(shown) - 1)] if shown and self.chosen_sky() is None else None
 
@@ -85,11 +85,11 @@ class PresetsPane(Pane, can_focus=True):
         self._sky = self._sky_for(cells, view, len(shown))
         self.cursor = min(self.cursor, max(len(shown) + len(self._sky) - 1, 0))
         self._rows = []
-        problem = cast(Host, self.app).presets.problem
+        problem = cast(AppHost, self.app).presets.problem
         if not view.presets:
             words = f"▲ {problem}" if problem else EMPTY
             rows = len(self._wrapped(cells, words, cells.height))
-            if rows >= cells.height and not cast(Host, self.app).presets.deleted:
+            if rows >= cells.height and not cast(AppHost, self.app).presets.deleted:
                 self._words(cells, 0, words, "warn" if problem else "dim", cells.height)
                 self.heat(0, 0, cells.width, "preset-add")  # the sentence names the key, which has no row here
                 return
@@ -155,7 +155,7 @@ class PresetsPane(Pane, can_focus=True):
         """Write the keys from the bottom, or as high as row `below`; return the row in which they begin."""
         rows: list[list[tuple[str, str]]] = [[]]
         x = 1
-        deleted = cast(Host, self.app).presets.deleted
+        deleted = cast(AppHost, self.app).presets.deleted
         for command, word in KEYS:
             if command == "preset-undo" and not deleted:
                 continue

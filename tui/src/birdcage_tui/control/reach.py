@@ -14,7 +14,7 @@ from birdcage.station.state import Activity, StationState
 from birdcage.station.turning import AzimuthWay, cable_limits, is_safe_at_any_turn
 from birdcage.station.turning import way_to as azimuth_way_to
 
-from birdcage_tui.goto_text import Aim, wind_of
+from birdcage_tui.goto_text import GotoAim, wind_of
 from birdcage_tui.view import View
 
 TOUCH_DEG = 0.005
@@ -22,7 +22,7 @@ TOUCH_DEG = 0.005
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class MovePath:
     """A move from where the dish is: signed degrees of each axis, clockwise and up positive."""
 
     az: AzimuthWay
@@ -37,14 +37,14 @@ def turns_to(state: StationState, az_deg: float) -> tuple[float, ...]:
     return () if way is None else way.turns
 
 
-def way_to(view: View, az_deg: float, el_deg: float) -> Way | None:
+def way_to(view: View, az_deg: float, el_deg: float) -> MovePath | None:
     """Return the way to a direction; None while the dish's own is not known."""
     state, position = view.state, view.state.position
     az = azimuth_way_to(state, az_deg)
     if position is None or az is None:
         return None
     el_way = el_deg - position.el_deg
-    return Way(az, el_way, _seconds(state, az.longest_deg, el_way))
+    return MovePath(az, el_way, _seconds(state, az.longest_deg, el_way))
 
 
 def _seconds(state: StationState, az_way: float, el_way: float) -> float | None:
@@ -134,7 +134,7 @@ def _sector(state: StationState, az_deg: float, el_deg: float) -> str | None:
     return None
 
 
-def way_words(view: View, aim: Aim) -> str:
+def way_words(view: View, aim: GotoAim) -> str:
     """Return where an aim is, how far each axis goes, which way and how long: one line."""
     name = f"{aim.name}: " if aim.name else ""
     where = f"{name}az {aim.az_deg:.2f}° {wind_of(aim.az_deg)}, el {aim.el_deg:.2f}°"

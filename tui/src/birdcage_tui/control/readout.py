@@ -8,7 +8,7 @@ from birdcage_tui.digits import angle_text, put_big, width_of
 from birdcage_tui.goto_text import wind_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.stop_words import stop_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import headline, live_words, plain_name
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, uncertainty_text

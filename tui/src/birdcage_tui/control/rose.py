@@ -16,10 +16,10 @@ from birdcage_tui.control.horizon_draw import draw_skyline
 from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.control.unknown import why_unknown
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import STOP_SIGN
-from birdcage_tui.track.pursuing import aimed_at
+from birdcage_tui.track.shown_pursuit import aimed_at
 from birdcage_tui.view import View
 from birdcage_tui.words import uncertainty_text
 
@@ -199,7 +199,7 @@ class RosePane(Pane, can_focus=True):
         az_deg = self._compass(self.size.width, self.size.height, self.view).direction(offset.x, offset.y)
         if az_deg is not None:
             event.stop()
-            cast(Host, self.app).open_goto(f"az={az_deg:.0f}")
+            cast(AppHost, self.app).open_goto(f"az={az_deg:.0f}")
 
 
 def _stops(view: View) -> list[tuple[float, float]]:

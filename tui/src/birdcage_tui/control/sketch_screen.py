@@ -13,7 +13,7 @@ from textual.widgets import Static
 from birdcage_tui.canvas import Cells
 from birdcage_tui.control.sketch import TOP_DEG, Sketch
 from birdcage_tui.dialogs import Dialog
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.status import TopRow
 from birdcage_tui.view import View
@@ -152,7 +152,7 @@ class SketchScreen(Dialog[HorizonMask | None]):
         pane = self.query_one(SketchPane)
         self.set_focus(pane)
         super().on_mount()
-        self.call_after_refresh(lambda: pane.show(cast(Host, self.app).view()))
+        self.call_after_refresh(lambda: pane.show(cast(AppHost, self.app).view()))
 
     def action_keep(self) -> None:
         """Close with what was drawn."""

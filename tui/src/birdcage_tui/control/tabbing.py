@@ -7,7 +7,7 @@ from typing import Protocol, cast
 from textual.widget import Widget
 
 from birdcage_tui.control.tabs import TABS, TabRow, tab_for
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pages.page import Page
 from birdcage_tui.view import View
 
@@ -16,7 +16,7 @@ SCOPES = {"craft": "craft", "network": "network"}
 """The scope of the page on a tab that has commands of its own; on the others it is the page's."""
 
 
-class Shown(Protocol):
+class TabView(Protocol):
     """What draws itself from a view."""
 
     def show(self, view: View) -> None:
@@ -83,7 +83,7 @@ class Tabbed(Page):
 
     def _seen(self) -> None:
         self.on_resize()
-        cast(Host, self.app).paint()
+        cast(AppHost, self.app).paint()
 
     def on_resize(self) -> None:
         """Choose the layout."""
@@ -114,5 +114,5 @@ class Tabbed(Page):
             return False
         body = self.body
         if body is not None:
-            cast(Shown, body).show(view)
+            cast(TabView, body).show(view)
         return True

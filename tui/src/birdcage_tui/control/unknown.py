@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 from birdcage_tui.view import View
 from birdcage_tui.words import home_hint
@@ -22,9 +22,9 @@ def why_unknown(view: View) -> tuple[str, ...]:
     state = view.state
     if view.waiting:
         return "NOT READ YET", "opening the port"
-    if state.link.state is Link.LOST:
+    if state.link.state is LinkPhase.LOST:
         return "LINK LOST", "plug the cable in"
-    if state.link.state is Link.SILENT:
+    if state.link.state is LinkPhase.SILENT:
         return "SILENT", "the dish is silent"
     if state.activity is Activity.HOMING:
         return "HOMING", "keep its swing clear"

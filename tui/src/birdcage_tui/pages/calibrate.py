@@ -20,14 +20,14 @@ from birdcage_tui.calibrate.tabs import SetupTabs
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.control.fields import Values
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
-    from birdcage.calibration.candidates import Candidate
+    from birdcage.calibration.candidates import CalibrationObject
 
 NUDGES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "up": (0.0, 1.0), "down": (0.0, -1.0)}
 PARTS: dict[str, type[Pane]] = {
@@ -83,9 +83,9 @@ class CalibratePage(Page):
             yield SetsPane(id="calibrate-sets")
 
     @property
-    def host(self) -> Host:
+    def host(self) -> AppHost:
         """The app."""
-        return cast(Host, self.app)
+        return cast(AppHost, self.app)
 
     @property
     def source(self) -> CalibrateSource | None:
@@ -198,7 +198,7 @@ class CalibratePage(Page):
             self.on_resize()
         self.call_after_refresh(lambda: self.screen.set_focus(self.query_one(LISTS[name])))
 
-    def _candidate(self, view: View) -> Candidate | None:
+    def _candidate(self, view: View) -> CalibrationObject | None:
         """Return the object under the cursor; None on the present one, and where there is none."""
         now = view.calibrate
         guide = None if now is None else now.guide

@@ -29,7 +29,7 @@ from birdcage_tui.control.rose import RosePane
 from birdcage_tui.control.tabbing import Tabbed
 from birdcage_tui.control.tabs import TabRow
 from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.skew import SkewPane, has_skew
 from birdcage_tui.view import YOU, View
 
@@ -137,9 +137,9 @@ class ControlPage(Tabbed):
             right.border_subtitle = words
 
     @property
-    def host(self) -> Host:
+    def host(self) -> AppHost:
         """The app."""
-        return cast(Host, self.app)
+        return cast(AppHost, self.app)
 
     def do(self, command: str) -> bool:
         """Do what is the page's own, on the tab that it belongs to; hand on what a widget of it does."""

@@ -13,15 +13,15 @@ from textual.widgets import Input
 
 from birdcage_tui.control.fields import Values
 from birdcage_tui.esc_field import EscField
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pages.page import Page
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk, utc_of
 from birdcage_tui.passes.figures import PassFigures
-from birdcage_tui.passes.head import PassHead
-from birdcage_tui.passes.layout import BESIDE_MAP, MAP_LIST, VIEWS, Layout, layout
+from birdcage_tui.passes.head import PassHeadRow
+from birdcage_tui.passes.layout import BESIDE_MAP, MAP_LIST, VIEWS, PassesLayout, layout
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
+from birdcage_tui.passes.selection import PassSelection, utc_of
 from birdcage_tui.passes.strip import PassStrip
 from birdcage_tui.passes.time_ask import time_screen
 from birdcage_tui.passes.time_text import moment_of
@@ -55,29 +55,29 @@ class PassesPage(Page):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.desk = Desk()
+        self.selection = PassSelection()
         self._shown = VIEWS[0]
-        self._layout: Layout | None = None
+        self._layout: PassesLayout | None = None
         self._pace: Timer | None = None
         self._toggled: list[tuple[int, str, bool]] = []
         """Favourites marked or unmarked here, the last one last: number, name, what it was before."""
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
-        yield PassHead(self.desk, id="pass-head")
+        yield PassHeadRow(self.selection, id="pass-head")
         field = EscField("names, numbers, groups; Enter applies it", closes="clears it", id="pass-filter")
         field.display = False
         yield field
         with Horizontal(id="pass-upper"):
-            yield PassList(self.desk, id="pass-list")
+            yield PassList(self.selection, id="pass-list")
             with Vertical(id="pass-side"):
-                yield PassSky(self.desk, id="pass-sky")
-                yield PassStrip(self.desk, id="pass-strip")
-                yield PassFigures(self.desk, id="pass-figures")
-            world = PassWorld(self.desk, id="pass-world")
+                yield PassSky(self.selection, id="pass-sky")
+                yield PassStrip(self.selection, id="pass-strip")
+                yield PassFigures(self.selection, id="pass-figures")
+            world = PassWorld(self.selection, id="pass-world")
             world.display = False
             yield world
-        yield Timeline(self.desk, id="pass-timeline")
+        yield Timeline(self.selection, id="pass-timeline")
 
     def on_mount(self) -> None:
         """Have a timer ready for a time that runs."""
@@ -90,14 +90,14 @@ class PassesPage(Page):
     def _arrange(self) -> None:
         field = self.query_one(Input)
         found = layout(self.size.width, self.size.height - bool(field.display), self._shown)
-        if found == self._layout and self.desk.world == self.query_one(PassWorld).display:
+        if found == self._layout and self.selection.world == self.query_one(PassWorld).display:
             return
         self._layout = found
-        self.query_one(PassWorld).display = self.desk.world
+        self.query_one(PassWorld).display = self.selection.world
         side, upper = self.query_one("#pass-side"), self.query_one("#pass-upper")
         listing = self.query_one(PassList)
         listing.styles.width, listing.styles.height = found.list_width, found.list_height
-        listing.display = not self.desk.world or self.size.width >= BESIDE_MAP
+        listing.display = not self.selection.world or self.size.width >= BESIDE_MAP
         lower = found.strip_height + found.figures_height
         side.display = found.plot_height + lower > 0
         side.styles.height = found.plot_height + lower
@@ -107,9 +107,9 @@ class PassesPage(Page):
         for kind, rows in ((PassSky, found.plot_height), (PassStrip, found.strip_height),
                            (PassFigures, found.figures_height), (Timeline, found.timeline_height)):  # fmt: skip
             pane = self.query_one(kind)
-            pane.display = rows > 0 and not self.desk.world
+            pane.display = rows > 0 and not self.selection.world
             pane.styles.height = rows
-        if self.desk.world:
+        if self.selection.world:
             side.display = False
             listing.styles.width, listing.styles.height = MAP_LIST, "1fr"
             upper.styles.layout, upper.styles.height = "horizontal", "1fr"
@@ -117,14 +117,14 @@ class PassesPage(Page):
             pane.redraw()
 
     @property
-    def host(self) -> Host:
+    def host(self) -> AppHost:
         """The app."""
-        return cast(Host, self.app)
+        return cast(AppHost, self.app)
 
     # The time machine.
 
     def _run(self) -> None:
-        if not self.display or not self.desk.machine.runs:
+        if not self.display or not self.selection.machine.runs:
             if self._pace is not None:
                 self._pace.pause()
             return
@@ -132,20 +132,20 @@ class PassesPage(Page):
 
     def show(self, view: View) -> None:
         """Draw; and go on drawing while the time shown runs."""
-        if self._pace is not None and self.desk.machine.runs:
+        if self._pace is not None and self.selection.machine.runs:
             self._pace.resume()
         super().show(view)
 
     def on_timeline_scrubbed(self, event: Timeline.Scrubbed) -> None:
         """Show the moment under the mouse; there it stands still."""
         event.stop()
-        machine, now_s = self.desk.machine, self.host.view().utc.timestamp()
+        machine, now_s = self.selection.machine, self.host.view().utc.timestamp()
         machine.to(now_s, event.t_s)
         self._moment()
 
     def _time(self, command: str, view: View) -> bool:
-        machine, now_s = self.desk.machine, view.utc.timestamp()
-        self.desk.time(view)  # the bounds
+        machine, now_s = self.selection.machine, view.utc.timestamp()
+        self.selection.time(view)  # the bounds
         match command:
             case "time-now":
                 machine.back_to_now()
@@ -165,7 +165,7 @@ class PassesPage(Page):
         return True
 
     def _jump(self, view: View) -> None:
-        row, t_s = self.desk.chosen(view), self.desk.time(view)
+        row, t_s = self.selection.chosen(view), self.selection.time(view)
         if row is None:
             return
         # At LOS it is over, and no longer in the list.
@@ -174,26 +174,27 @@ class PassesPage(Page):
         if later is None:
             self.host.say("No more events before it sets.")
             return
-        self.desk.machine.to(view.utc.timestamp(), later)
-        self.desk.choose(row)
+        self.selection.machine.to(view.utc.timestamp(), later)
+        self.selection.choose(row)
 
     def _ask_time(self, view: View) -> None:
-        shown = utc_of(self.desk.time(view))
+        shown = utc_of(self.selection.time(view))
 
         def answered(values: Values | None) -> None:
             if values is None:
                 return
             now = self.host.view()
             wanted_s = moment_of(values[0], shown).timestamp()
-            self.desk.machine.to(now.utc.timestamp(), wanted_s)
-            if abs(self.desk.time(now) - wanted_s) > 1.0:
-                self.host.say(f"Passes are known until {utc_of(self.desk.time(now)):%Y-%m-%d %H:%M}Z: that is shown.")
+            self.selection.machine.to(now.utc.timestamp(), wanted_s)
+            if abs(self.selection.time(now) - wanted_s) > 1.0:
+                known_until = utc_of(self.selection.time(now))
+                self.host.say(f"Passes are known until {known_until:%Y-%m-%d %H:%M}Z: that is shown.")
             self._moment()
 
         self.app.push_screen(time_screen(shown), answered)
 
     def _moment(self) -> None:
-        self.desk.changed()
+        self.selection.changed()
         self.host.paint()
 
     # The list.
@@ -203,33 +204,33 @@ class PassesPage(Page):
         view = self.host.view()
         if command.startswith("time-"):
             return self._time(command, view)
-        choice = self.desk.choice
+        choice = self.selection.choice
         match command:
             case "pass-up" | "pass-down":
-                self.desk.move(view, 1 if command == "pass-down" else -1)
+                self.selection.move(view, 1 if command == "pass-down" else -1)
             case "pass-page-up" | "pass-page-down":
                 rows = self.query_one(PassList).page_rows
-                self.desk.move(view, rows if command == "pass-page-down" else -rows)
+                self.selection.move(view, rows if command == "pass-page-down" else -rows)
             case "pass-first":
-                self.desk.choose(None)
+                self.selection.choose(None)
             case "pass-sort":
                 self.host.say(f"Sorted by {choice.next_sort()}.")
             case "pass-reachable":
                 choice.reachable_only = not choice.reachable_only
                 self._hidden(choice.reachable_only, "passes in reach of this dish")
             case "pass-hearable":
-                choice.hearable_only = not self.desk.hearable(view)
-                heard = f"satellites that the feed {feed_label(self.desk.sky(view).feed)} can hear"
+                choice.hearable_only = not self.selection.hearable(view)
+                heard = f"satellites that the feed {feed_label(self.selection.sky(view).feed)} can hear"
                 self._hidden(choice.hearable_only, heard)
             case "pass-favourites":
                 choice.favourites_only = not choice.favourites_only
                 self._hidden(choice.favourites_only, "favourites")
-            case "pass-view" if not self.desk.world:
+            case "pass-view" if not self.selection.world:
                 views = VIEWS if self._layout is None or not self._layout.roomy else ("elevation", "figures")
                 self._shown = views[(views.index(self._shown) + 1) % len(views) if self._shown in views else 1]
                 self._arrange()
             case "pass-world" | "pass-view":
-                self.desk.world = not self.desk.world
+                self.selection.world = not self.selection.world
                 self._arrange()
                 self._focus()
             case "pass-filter":
@@ -256,7 +257,7 @@ class PassesPage(Page):
                 return
             number, name, wanted = self._toggled.pop()
         else:
-            row = self.desk.chosen(view)
+            row = self.selection.chosen(view)
             if row is None:
                 return
             number, name, wanted = row.norad_id, row.name, not row.favourite
@@ -267,7 +268,7 @@ class PassesPage(Page):
 
     def _follow(self, view: View) -> None:
         """Show the plan of the chosen pass on F2, where Enter follows it."""
-        row = self.desk.chosen(view)
+        row = self.selection.chosen(view)
         if row is None:
             self.host.say("No pass is chosen.")
             return
@@ -275,10 +276,10 @@ class PassesPage(Page):
         self.host.show_page("control", "open-offer")
 
     def _export(self, view: View) -> None:
-        self.host.sky.export(self.desk.rows(view))
+        self.host.sky.export(self.selection.rows(view))
 
     def _focus(self) -> None:
-        self.query_one(PassWorld if self.desk.world else PassList).focus()
+        self.query_one(PassWorld if self.selection.world else PassList).focus()
 
     # The filter.
 
@@ -291,7 +292,7 @@ class PassesPage(Page):
     def _close_filter(self, words: str) -> None:
         field = self.query_one(Input)
         field.value = words
-        self.desk.choice.filter = words
+        self.selection.choice.filter = words
         self._locate(words)
         self._focus()
         field.disabled, field.display = True, False
@@ -301,13 +302,13 @@ class PassesPage(Page):
     def on_input_changed(self, event: Input.Changed) -> None:
         """Show what is left, as one types."""
         event.stop()
-        self.desk.choice.filter = event.value.strip()
-        self._locate(self.desk.choice.filter)
-        self.desk.choose(None)
+        self.selection.choice.filter = event.value.strip()
+        self._locate(self.selection.choice.filter)
+        self.selection.choose(None)
         self._moment()
 
     def _locate(self, text: str) -> None:
-        """Have the desk say what is meant, for where no pass is left: a known name is not an unknown one."""
+        """Have the target desk say what is meant, for where no pass is left: a known name is not an unknown one."""
         source = self.host.track.source
         if source is not None:
             source.locate(text)

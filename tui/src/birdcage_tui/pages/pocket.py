@@ -10,7 +10,7 @@ from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
-from birdcage_tui.pocket.layout import Layout, arrange
+from birdcage_tui.pocket.layout import PocketLayout, arrange
 from birdcage_tui.pocket.passes import PocketPasses
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
 from birdcage_tui.skew import has_skew
@@ -26,7 +26,7 @@ class PocketPage(Page):
 
     def __init__(self) -> None:
         super().__init__(id="page-pocket")
-        self._layout: Layout | None = None
+        self._layout: PocketLayout | None = None
 
     def compose(self) -> ComposeResult:
         """Readings, signal, words and sky; under them what can be pressed."""
@@ -61,7 +61,7 @@ class PocketPage(Page):
             return True
         return False
 
-    def _apply(self, layout: Layout) -> None:
+    def _apply(self, layout: PocketLayout) -> None:
         reading = self.query_one(PocketReading)
         reading.cramped, reading.digits = layout.keys == 0, layout.digits
         body = self.query_one("#pocket-body")

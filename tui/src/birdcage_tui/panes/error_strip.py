@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.track.pursuing import sample_of
 from birdcage_tui.track.scale import legible_deg
+from birdcage_tui.track.shown_pursuit import sample_of
 from birdcage_tui.view import View
 
 LEAST_WIDTH, MOST_WIDTH = 24, 60

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.config import feed_label
-from birdcage.station.state import Link, StationState
+from birdcage.station.state import LinkPhase, StationState
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut
@@ -60,7 +60,7 @@ class HealthPane(Pane):
     def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:
         """Return (glyph and ink, name, value) of every fact."""
         state, link = view.state, view.state.link
-        up = link.state is Link.UP
+        up = link.state is LinkPhase.UP
         ok = _OK if up else _UNKNOWN  # read before the link went, it may hold no longer
         heard = f"  heard {age_text(view.now - link.last_reply)} ago" if link.last_reply is not None else ""
         trip = "--" if link.round_trip_s is None else f"{link.round_trip_s * 1000:.0f} ms a reply"

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
 from birdcage_tui.next_steps import next_steps
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import HEADING, WITH_AZIMUTHS, draw_next, next_rows, troubled
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import plain_name
 from birdcage_tui.unready import worst
 from birdcage_tui.view import View

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.station.known import Turn
+from birdcage.station.known import CableTurn
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, fit, pad
@@ -12,7 +12,7 @@ from birdcage_tui.panes.error_strip import draw_error_strip
 from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
 from birdcage_tui.skew import has_skew, skew_row
 from birdcage_tui.stop_words import stop_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, motion_text, uncertainty_text
@@ -51,7 +51,7 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
         return
     left, right = turn - cable.min_deg, cable.max_deg - turn
     tail = f" {right:3.0f}° CW"
-    remembered = state.turn is Turn.REMEMBERED and cells.width >= ROOM_TO_SAY
+    remembered = state.turn is CableTurn.REMEMBERED and cells.width >= ROOM_TO_SAY
     x = cells.put(1, y, "cable, remembered " if remembered else "cable ", "dim")
     x = cells.put(x, y, f"CCW {left:3.0f}° ", "text")
     width = cells.width - 1 - x - len(tail) - 2

@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 
 from birdcage.signal.source import SignalFacts
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.view import STALE_S, Sample, View
+from birdcage_tui.view import STALE_S, SignalSample, View
 from birdcage_tui.words import age_text
 
 GAP = 1.2
@@ -51,7 +51,7 @@ class SignalPane(Pane):
             self._curve(cells, shown, view, width, height, axis)
 
     @staticmethod
-    def _words(cells: Cells, view: View, shown: list[Sample], source: str) -> None:
+    def _words(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
         """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
         last, heard = view.signal[-1], view.heard
         age_s = view.now - last.at
@@ -76,7 +76,7 @@ class SignalPane(Pane):
         cells.right(cells.width - 1, 0, by, "warn" if age_s > heard.pause_s else "dim")
 
     @staticmethod
-    def _curve(cells: Cells, shown: list[Sample], view: View, width: int, height: int, axis: int) -> None:
+    def _curve(cells: Cells, shown: list[SignalSample], view: View, width: int, height: int, axis: int) -> None:
         now, heard = view.now, view.heard
         low, high = min(s.value for s in shown), max(s.value for s in shown)
         spare = max(heard.span - (high - low), (high - low) * 0.1)
@@ -86,7 +86,7 @@ class SignalPane(Pane):
         canvas, ink = Braille(width, height), "dim" if _is_old(view) else "accent"
         dots = height * 4 - 1
 
-        def at(sample: Sample) -> tuple[float, float]:
+        def at(sample: SignalSample) -> tuple[float, float]:
             return (
                 (width * 2 - 1) * (1 - (now - sample.at) / SPAN_S),
                 dots * (1 - (sample.value - low) / (high - low)),

@@ -9,11 +9,11 @@ from textual import events
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, label, name_target, rim, sky_titles, title_for
+from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, label, name_target, rim, sky_titles, title_for
 from birdcage_tui.panes.sky_up import OLD_SIGN, draw_trails, draw_up
 from birdcage_tui.track.path import Points
 from birdcage_tui.track.plot import draw_pursuit, draw_times
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import plain_name
 from birdcage_tui.view import View
 
@@ -32,7 +32,7 @@ class SkyPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = TITLES[0]
-        self._ground = Ground()
+        self._ground = SkyBackdrop()
         self._points = Points()
         self._legend = ""
         self._pointed = False

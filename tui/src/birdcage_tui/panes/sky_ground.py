@@ -58,7 +58,7 @@ ARC_INK = "dim"
 """Of the geostationary arc: quiet, for the target alone is in its colour."""
 
 
-class Ground:
+class SkyBackdrop:
     """Draws the layer, and keeps it until size, limits, horizon or place are others."""
 
     def __init__(self, *, with_arc: bool = True) -> None:

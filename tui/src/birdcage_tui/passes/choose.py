@@ -43,7 +43,7 @@ def matcher(text: str) -> Callable[[Row], bool]:
     return meant if words else lambda _: True
 
 
-class Choice:
+class PassFilter:
     """Filter and order; the result is kept as long as nothing of that changes."""
 
     def __init__(self) -> None:

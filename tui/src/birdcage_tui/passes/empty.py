@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.base.config import feed_label
 
-from birdcage_tui.passes.desk import Desk
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View
 
@@ -12,7 +12,7 @@ NO_ELEMENTS = "The catalogue holds no satellites."
 GET_ELEMENTS = "In a shell: `birdcage elements update` fetches them, `birdcage elements add FILE` adds yours."
 
 
-def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
+def empty_words(view: View, selection: PassSelection) -> list[tuple[str, str]]:
     """Return (ink, sentence) of why the list is empty."""
     sky = view.sky
     if view.settings.place is None:
@@ -26,13 +26,13 @@ def empty_words(view: View, desk: Desk) -> list[tuple[str, str]]:
         return [("text", NO_ELEMENTS), ("dim", GET_ELEMENTS)]
     if sky.searched < 1.0:
         return [("dim", f"Searching {sky.satellites} satellites …")]
-    choice = desk.choice
+    choice = selection.choice
     if choice.filter:
         located = None if view.track is None else view.track.located
         if located is not None and located.text == choice.filter and not located.name:
             return [("text", located.problem), ("dim", "/ changes the filter.")]
         return [("text", f'No pass matches "{choice.filter}".'), ("dim", "/ changes the filter.")]
-    if desk.hearable(view):
+    if selection.hearable(view):
         return [("text", f"No passing satellite sends what the feed {feed_label(sky.feed)} can hear."),
                 ("dim", "h shows the other satellites too.")]  # fmt: skip
     if choice.favourites_only:

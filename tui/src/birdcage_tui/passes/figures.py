@@ -9,15 +9,15 @@ from birdcage.sky.doppler import doppler_hz
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk
-from birdcage_tui.passes.model import Frequency, Row
+from birdcage_tui.passes.model import DopplerFrequency, Row
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
 
-PER = Frequency(100e6, "no downlink known")
+PER = DopplerFrequency(100e6, "no downlink known")
 """Without a downlink and a band Doppler is told per 100 MHz: it grows as the frequency does."""
 SUN_RADIUS_DEG = 0.27
 
@@ -25,14 +25,14 @@ SUN_RADIUS_DEG = 0.27
 class PassFigures(Pane):
     """A row for each of AOS, TCA and LOS, one for the moment shown, then the Sun and the clock."""
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Figures"
-        self._desk = desk
+        self._selection = selection
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the table."""
-        row, t_s = self._desk.chosen(view), self._desk.time(view)
+        row, t_s = self._selection.chosen(view), self._selection.time(view)
         if row is None:
             cells.put(1, 0, "No pass selected.", "dim")
             return
@@ -44,7 +44,7 @@ class PassFigures(Pane):
                  (("AOS", row.aos_s), ("TCA", row.tca_s), ("LOS", row.los_s))]  # fmt: skip
         below = [*packed(signal_lines(row), cells.width - 2), *clock_lines(row)]
         below += _joined(sun_lines(row, view.state.beam))
-        moment = "now" if self._desk.machine.is_now else "then"
+        moment = "now" if self._selection.machine.is_now else "then"
         if row.aos_s <= t_s <= row.los_s and cells.height >= len(lines) + len(below) + 2:
             lines.append((moment, t_s))
         y = 1
@@ -65,13 +65,13 @@ class PassFigures(Pane):
         return f"{clock_text(at_s)}{azimuth:>10}{range_text:>11}{doppler:>13}"
 
 
-def frequency_of(row: Row) -> Frequency:
+def frequency_of(row: Row) -> DopplerFrequency:
     """Return the frequency that Doppler is told for."""
     found = None if row.tuned is None else row.tuned()
     return found or PER
 
 
-def frequency_words(frequency: Frequency) -> str:
+def frequency_words(frequency: DopplerFrequency) -> str:
     """Return `137.9 MHz, its LRPT`."""
     return f"{frequency.hz / 1e6:.10g} MHz, {frequency.what}"
 

@@ -18,7 +18,7 @@ ROOMY = (100, 28)
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
+class PassesLayout:
     """Sizes in cells; 0 hides."""
 
     roomy: bool
@@ -30,20 +30,20 @@ class Layout:
     figures_height: int = 0
 
 
-def layout(width: int, height: int, shown: str) -> Layout:
+def layout(width: int, height: int, shown: str) -> PassesLayout:
     """Return the layout of a page of that size; `shown` is one of `VIEWS`."""
     height -= 1  # the first row
     if width < ROOMY[0] or height + 1 < ROOMY[1]:
         if shown == "path":
             plot = max(min(width - 50, 44), 28)
-            return Layout(False, width - plot, height, height, 0, 0)
+            return PassesLayout(False, width - plot, height, height, 0, 0)
         lower = max(height * 2 // 5, 8) if shown != "figures" else FIGURES
         strip, figures, timeline = (lower if shown == each else 0 for each in VIEWS[1:])
-        return Layout(False, width, height - lower, 0, strip, timeline, figures)
+        return PassesLayout(False, width, height - lower, 0, strip, timeline, figures)
     timeline = min(max(height // 4, 8), 14)
     upper = height - timeline
     strip = min(max(upper // 3, 8), 12)
     listing = min(max(width * 52 // 100, 58), max(92, width - PATH))
     if shown == "figures":
-        return Layout(True, listing, upper, upper - FIGURES - 1, 0, timeline, FIGURES + 1)
-    return Layout(True, listing, upper, upper - strip, strip, timeline)
+        return PassesLayout(True, listing, upper, upper - FIGURES - 1, 0, timeline, FIGURES + 1)
+    return PassesLayout(True, listing, upper, upper - strip, strip, timeline)

@@ -8,11 +8,11 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import fit, wrap
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.spark import Sparks
 from birdcage_tui.passes.words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text
 from birdcage_tui.view import View
@@ -37,10 +37,10 @@ class PassList(Pane, can_focus=True):
         "● all of it is in reach, ◍ a part, ○ none; and why."
     )
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = TITLE
-        self._desk = desk
+        self._selection = selection
         self._sparks = Sparks()
         self._top = 0
         self._shown: list[Row] = []
@@ -52,12 +52,12 @@ class PassList(Pane, can_focus=True):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write the columns' names, then the rows around the chosen one."""
-        rows = self._desk.rows(view)
+        rows = self._selection.rows(view)
         self._told(view, len(rows))
         self._shown = []
         if not rows:
             y = 0
-            for ink, sentence in empty_words(view, self._desk):
+            for ink, sentence in empty_words(view, self._selection):
                 for line in wrap(sentence, max(cells.width - 2, 10)):
                     cells.put(1, y, line, ink)
                     y += 1
@@ -65,10 +65,10 @@ class PassList(Pane, can_focus=True):
             return
         widths = self._columns(cells.width)
         self._head(cells, widths)
-        chosen = self._desk.index(view)
-        room = max(cells.height - 1 - self._note(cells, self._desk.sky(view).note), 1)
+        chosen = self._selection.index(view)
+        room = max(cells.height - 1 - self._note(cells, self._selection.sky(view).note), 1)
         self._top = max(min(self._top, chosen, len(rows) - room), chosen - room + 1, 0)
-        t_s = self._desk.time(view)
+        t_s = self._selection.time(view)
         for y, row in enumerate(rows[self._top : self._top + room], 1):
             self._row(cells, y, row, t_s, self._top + y - 1 == chosen, widths)
             self._shown.append(row)
@@ -86,11 +86,11 @@ class PassList(Pane, can_focus=True):
 
     def _told(self, view: View, count: int) -> None:
         """Say in the frame how many there are, and how far the search has come."""
-        sky = self._desk.sky(view)
+        sky = self._selection.sky(view)
         if sky.searched is not None and sky.searched < 1.0:
             words = f"{len(sky.rows)} so far, {sky.searched:.0%} searched"
         else:
-            stay = 0 if self._desk.choice.filter else sum(row.stays for row in sky.rows)
+            stay = 0 if self._selection.choice.filter else sum(row.stays for row in sky.rows)
             words = f"{count} of {len(sky.rows) - stay}" if sky.rows else ""
             words += f", {stay} always up left out" if stay else ""
         if words != (self.border_subtitle or ""):
@@ -171,8 +171,8 @@ class PassList(Pane, can_focus=True):
         offset = event.get_content_offset(self)
         if offset is not None and 1 <= offset.y <= len(self._shown):
             event.stop()
-            self._desk.choose(self._shown[offset.y - 1])
-            cast(Host, self.app).paint()
+            self._selection.choose(self._shown[offset.y - 1])
+            cast(AppHost, self.app).paint()
 
     def on_mouse_scroll_down(self, event: events.MouseScrollDown) -> None:
         """Choose the one below."""
@@ -185,5 +185,5 @@ class PassList(Pane, can_focus=True):
     def _wheel(self, event: events.MouseEvent, by: int) -> None:
         event.stop()
         if self.view is not None:
-            self._desk.move(self.view, by)
-            cast(Host, self.app).paint()
+            self._selection.move(self.view, by)
+            cast(AppHost, self.app).paint()

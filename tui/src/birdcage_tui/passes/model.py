@@ -67,7 +67,7 @@ class Path:
         return max(rates, default=None)
 
 
-class Way:
+class ShownPath:
     """The path of a pass, worked out when it is first asked for: only the passes that are seen need one."""
 
     def __init__(self, make: Callable[[], Path]) -> None:
@@ -132,7 +132,7 @@ class Age:
 
 
 @dataclass(frozen=True, slots=True)
-class Frequency:
+class DopplerFrequency:
     """What Doppler is told for."""
 
     hz: float
@@ -157,7 +157,7 @@ class Row:
     max_el_deg: float
     reach: InReach | None = None
     """None while it is not worked out."""
-    way: Way | None = None
+    way: ShownPath | None = None
     favourite: bool = False
     groups: tuple[str, ...] = ()
     age: Age | None = None
@@ -171,7 +171,7 @@ class Row:
     """How much of the pass the Sun shines on it, 0 to 1."""
     sun: tuple[float, float] | None = None
     """When it is nearest to the Sun, and how near in degrees; None while the Sun is down."""
-    tuned: Callable[[], Frequency | None] | None = field(default=None, compare=False, repr=False)
+    tuned: Callable[[], DopplerFrequency | None] | None = field(default=None, compare=False, repr=False)
     """Finds the frequency to tell Doppler for."""
     also: tuple[str, ...] = field(default=(), compare=False, repr=False)
     """What else the satellite is called."""

@@ -7,10 +7,10 @@ from textual.geometry import Size
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target, rim, sky_titles, title_for
-from birdcage_tui.passes.desk import Desk
+from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
 from birdcage_tui.passes.model import Row
-from birdcage_tui.passes.told import LINES, Told
+from birdcage_tui.passes.selection import PassSelection
+from birdcage_tui.passes.told import LINES, PassText
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
@@ -24,12 +24,12 @@ STEPS = 160
 class PassSky(Pane):
     """A map of the sky with one pass on it, N up and E right."""
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self._desk = desk
+        self._selection = selection
         self.alone = True
         """Whether no other pane shows the figures."""
-        self._ground = Ground(with_arc=False)
+        self._ground = SkyBackdrop(with_arc=False)
 
     @staticmethod
     def disc(size: Size, aspect: float) -> tuple[Polar, bool]:
@@ -48,8 +48,8 @@ class PassSky(Pane):
         polar, beside = self.disc(Size(cells.width, cells.height), view.settings.cell_aspect)
         if polar.width < 10 or polar.height < 5:
             return
-        row = self._desk.chosen(view)
-        t_s = self._desk.time(view)
+        row = self._selection.chosen(view)
+        t_s = self._selection.time(view)
         canvas = self._ground.draw(polar, view)
         if row is not None and row.path is not None:
             self._path(canvas, polar, row, t_s)
@@ -62,8 +62,8 @@ class PassSky(Pane):
         if row is None:
             cells.put(x, y, "No pass selected.", "dim")
             return
-        moment = "now" if self._desk.machine.is_now else "then"
-        told = Told(row, t_s, moment, view.state.beam, everything=self.alone)
+        moment = "now" if self._selection.machine.is_now else "then"
+        told = PassText(row, t_s, moment, view.state.beam, everything=self.alone)
         for ink, words in told.lines(cells.width - x, cells.height - y, beside=beside):
             cells.put(x, y, words, ink)
             y += 1

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
@@ -22,14 +22,14 @@ LEAST_DRIFT_DEG = 0.1
 class PassStrip(Pane):
     """A curve from AOS to LOS; under it a bar where the dish can follow, and the times."""
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Elevation"
-        self._desk = desk
+        self._selection = selection
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw limits, curve and the line of the moment shown."""
-        row = self._desk.chosen(view)
+        row = self._selection.chosen(view)
         if row is None or row.path is None:
             cells.put(1, 0, "No pass selected." if row is None else "Computing its path …", "dim")
             return
@@ -39,7 +39,7 @@ class PassStrip(Pane):
         if row.stays:
             self._drift(cells, row, width - DECIMALS, height)
             return
-        t_s, low, high = self._desk.time(view), view.state.el_min_deg, view.state.el_max_deg
+        t_s, low, high = self._selection.time(view), view.state.el_min_deg, view.state.el_max_deg
         top = self._top(row, high)
         canvas = Braille(width, height)
         dots = height * 4 - 1

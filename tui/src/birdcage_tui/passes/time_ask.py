@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from birdcage_tui.control.fields import Field, FieldsScreen, Values
+from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
 from birdcage_tui.passes.time_text import EXAMPLES, moment_of
 
 
@@ -22,4 +22,4 @@ def time_screen(shown: datetime) -> FieldsScreen:
         f"Shown now is {shown:%Y-%m-%d %H:%M}Z. A time of day is the next one; a sign counts from what is shown. "
         "This changes only the view. Nothing moves, and the clock stays."
     )
-    return FieldsScreen("Jump to a time", words, (Field("UTC", "", EXAMPLES),), check)
+    return FieldsScreen("Jump to a time", words, (FieldRow("UTC", "", EXAMPLES),), check)

@@ -10,8 +10,8 @@ from textual.message import Message
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import fit
 from birdcage_tui.pane import Pane
-from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.view import View
 
@@ -39,10 +39,10 @@ class Timeline(Pane):
             super().__init__()
             self.t_s = t_s
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Timeline"
-        self._desk = desk
+        self._selection = selection
         self._start_s = self._column_s = 0.0
         self._names = NAME
         self._held = False
@@ -54,7 +54,7 @@ class Timeline(Pane):
         if width < 20 or cells.height < 3:
             return
         self._column_s = next((scale for scale in SCALES_S if scale * width >= HOURS * 3600.0), SCALES_S[-1])
-        now_s, t_s = view.utc.timestamp(), self._desk.time(view)
+        now_s, t_s = view.utc.timestamp(), self._selection.time(view)
         self._start_s = self._from(now_s, t_s, width)
         rows = self._lanes(view, cells.height - 1)
         for y, (name, passes, favourite) in enumerate(rows, 1):
@@ -63,7 +63,7 @@ class Timeline(Pane):
             for row in passes:
                 self._bar(cells, y, row, width)
         self._line(cells, now_s, "line", "┆", width)
-        self._line(cells, t_s, "accent-strong" if self._desk.machine.is_now else "warn-strong", "│", width)
+        self._line(cells, t_s, "accent-strong" if self._selection.machine.is_now else "warn-strong", "│", width)
         for y, (_, passes, _) in enumerate(rows, 1):
             for row in passes:
                 self._height(cells, y, row, width)
@@ -80,7 +80,7 @@ class Timeline(Pane):
 
     def _lanes(self, view: View, room: int) -> list[tuple[str, list[Row], bool]]:
         """Return the rows: favourites; where there are none, satellites whose passes come next in reach."""
-        sky, chosen = self._desk.sky(view), self._desk.chosen(view)
+        sky, chosen = self._selection.sky(view), self._selection.chosen(view)
         any_favourite = any(row.favourite for row in sky.rows)
         title = "Timeline of favourites, then of what comes next" if room >= WITH_OTHERS else "Timeline of favourites"
         title = title if any_favourite else "Timeline of next passes   * marks a favourite"

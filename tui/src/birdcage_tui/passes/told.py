@@ -32,7 +32,7 @@ Lines = list[tuple[str, str]]
 """Ink and words."""
 
 
-class Block(NamedTuple):
+class TextBlock(NamedTuple):
     """Lines that stand together."""
 
     forms: list[Lines]
@@ -42,7 +42,7 @@ class Block(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class PassText:
     """One pass at one moment. `everything`: range, Doppler, clock, Sun and signal too, as no other pane shows them."""
 
     row: Row
@@ -65,37 +65,37 @@ class Told:
                     break
         return [line for index in sorted(chosen) for line in chosen[index]]
 
-    def _under(self, width: int) -> list[Block]:
+    def _under(self, width: int) -> list[TextBlock]:
         """Return the blocks for a few narrow rows."""
         row = self.row
         rise = "" if row.already_up else f"{clock_text(row.aos_s, seconds=False)} "
         fall = "later" if row.still_up else clock_text(row.los_s, seconds=False)
         span = f"{'' if row.stays else f'up {rise}to {fall}, '}max {row.max_el_deg:.0f}°"
         age = [form for form in self._elements()[-1:] if cell_len(form[0][1]) <= width]
-        return [Block([[*self._who(width), ("text", _held(row)), ("dim", span)]]), Block(age)]
+        return [TextBlock([[*self._who(width), ("text", _held(row)), ("dim", span)]]), TextBlock(age)]
 
-    def _beside(self, width: int) -> list[Block]:
+    def _beside(self, width: int) -> list[TextBlock]:
         """Return the blocks beside the map: when and where it rises and sets, what is in reach, then the rest."""
         row = self.row
         place = None if row.path is None else row.path.at(self.t_s)
         where = "" if place is None else f"{self.moment} AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
         blocks = [
-            Block([[*self._who(width), ("text", where)]]),
-            Block([self._events(width)]),
-            Block([[("text", _held(row))]]),
+            TextBlock([[*self._who(width), ("text", where)]]),
+            TextBlock([self._events(width)]),
+            TextBlock([[("text", _held(row))]]),
         ]
         if row.reach is not None and not (row.stays and not row.reach.lost):
             spans = [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
-            blocks.append(Block([spans]))
-        blocks.append(Block(self._elements()))
+            blocks.append(TextBlock([spans]))
+        blocks.append(TextBlock(self._elements()))
         if row.hears:
-            blocks.append(Block([[("text", f"sends {row.hears}")]]))
+            blocks.append(TextBlock([[("text", f"sends {row.hears}")]]))
         if self.everything:
-            blocks.append(Block([signal_lines(row)], 2))
-        blocks += [Block([[line]]) for line in _losses(row, edges=False)]
+            blocks.append(TextBlock([signal_lines(row)], 2))
+        blocks += [TextBlock([[line]]) for line in _losses(row, edges=False)]
         if self.everything:
-            blocks += [Block([lines], 1) for lines in self._rest(width)]
-        return blocks + [Block([[line]], 3) for line in _losses(row, edges=True)]
+            blocks += [TextBlock([lines], 1) for lines in self._rest(width)]
+        return blocks + [TextBlock([[line]], 3) for line in _losses(row, edges=True)]
 
     def _who(self, width: int) -> Lines:
         """Return which satellite it is, and what comes next."""

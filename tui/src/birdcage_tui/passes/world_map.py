@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.sky.footprint import radius_km
-from birdcage.sky.world import Ground, WorldView
+from birdcage.sky.world import SubPoint, WorldView
 from textual import events
 
 from birdcage_tui.canvas import Braille, Cells
@@ -11,7 +11,7 @@ from birdcage_tui.cell_text import cell_len, elide
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_ground import QUIET
 from birdcage_tui.passes.world_map_chart import Chart, Layers
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.view import View
 
 OVER = (*QUIET, "target", "text", "accent")
@@ -120,7 +120,7 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
         x, y = chart.cell(latitude_deg, longitude_deg)
         return left + x, top + y
 
-    def is_followed(one: Ground) -> bool:
+    def is_followed(one: SubPoint) -> bool:
         return aim is not None and (one.norad_id == aim.norad_id if aim.norad_id else one.name == aim.name)
 
     pursuit = pursuit_of(view)
@@ -192,9 +192,9 @@ def _figures(cells: Cells, world: WorldView, seen: tuple[str, ...]) -> None:
             x = cells.put(x, y, words, ink) + 2
 
 
-def _where(one: Ground) -> str:
+def _where(one: SubPoint) -> str:
     return f"{place_text(one.latitude_deg, one.longitude_deg)}  {one.altitude_km:,.0f} km up"
 
 
-def _wide(one: Ground) -> str:
+def _wide(one: SubPoint) -> str:
     return f"footprint radius {radius_km(one.altitude_km):,.0f} km"

@@ -10,12 +10,12 @@ from birdcage.sky.observer import Observer
 from birdcage.sky.world import WorldView
 from textual.message import Message
 
-from birdcage_tui.host import Host
-from birdcage_tui.passes.desk import Desk
+from birdcage_tui.host import AppHost
 from birdcage_tui.passes.model import Row
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.passes.world_map import WorldMapPane
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
@@ -34,9 +34,9 @@ class Ask:
     others: tuple[Row, ...]
 
 
-def ask_of(desk: Desk, view: View) -> Ask:
+def ask_of(selection: PassSelection, view: View) -> Ask:
     """Return what the page shows now."""
-    chosen = desk.chosen(view)
+    chosen = selection.chosen(view)
     found: dict[tuple[int, str], Row] = {}
     pursuit = pursuit_of(view)
     if pursuit is not None and view.sky is not None:  # also where the filter of the list leaves it out
@@ -44,11 +44,11 @@ def ask_of(desk: Desk, view: View) -> Ask:
         same = (row for row in view.sky.rows if row.norad_id == aim.norad_id and (row.norad_id or row.name == aim.name))
         for row in same:
             found.setdefault((row.norad_id, row.name), row)
-    for row in sorted(desk.rows(view), key=lambda row: not row.favourite):
+    for row in sorted(selection.rows(view), key=lambda row: not row.favourite):
         found.setdefault((row.norad_id, row.name), row)
     if chosen is not None:
         found.pop((chosen.norad_id, chosen.name), None)
-    return Ask(int(desk.time(view)), chosen, tuple(found.values())[:MOST])
+    return Ask(int(selection.time(view)), chosen, tuple(found.values())[:MOST])
 
 
 def world_of(ask: Ask, observer: Observer | None) -> WorldView:
@@ -95,7 +95,7 @@ def reach_span_text(row: Row, t_s: float) -> str:
 
 
 class PassWorld(WorldMapPane):
-    """The map with the chosen pass of the page's desk."""
+    """The map with the chosen pass of the page."""
 
     class Seen(Message):
         """The world at the moment asked for; posted from the thread that worked it out."""
@@ -104,9 +104,9 @@ class PassWorld(WorldMapPane):
             super().__init__()
             self.world = world
 
-    def __init__(self, desk: Desk, *, id: str | None = None) -> None:  # noqa: A002
+    def __init__(self, selection: PassSelection, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self._desk = desk
+        self._selection = selection
         self._asked: Ask | None = None
         self._waits = False
         """Whether an answer is on its way: until then nothing else is asked."""
@@ -116,17 +116,17 @@ class PassWorld(WorldMapPane):
         super().show(view)
         if not self.display or self._waits:
             return
-        ask = ask_of(self._desk, view)
+        ask = ask_of(self._selection, view)
         if ask != self._asked:
             self._asked = ask
-            self._waits = cast(Host, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
+            self._waits = cast(AppHost, self.app).sky.look_down(ask, lambda world: self.post_message(self.Seen(world)))
 
     def seen(self) -> tuple[str, ...]:
         """Return when the dish can follow the chosen pass, and when it is in view from here."""
-        row = None if self.view is None else self._desk.chosen(self.view)
+        row = None if self.view is None else self._selection.chosen(self.view)
         if row is None or self.view is None:
             return ()
-        t_s = self._desk.time(self.view)
+        t_s = self._selection.time(self.view)
         return reach_span_text(row, t_s), seen_text(row, t_s)
 
     def on_pass_world_seen(self, event: Seen) -> None:

@@ -16,7 +16,7 @@ TALL = 19
 
 
 @dataclass(frozen=True, slots=True)
-class Layout:
+class PocketLayout:
     """Rows of each part; 0 is not shown. `beside`: the sky stands right of a column `column` wide."""
 
     digits: int
@@ -33,7 +33,7 @@ class Layout:
 
 def arrange(
     width: int, height: int, *, heard: bool, wrong_in: Callable[[int], int], third_axis: bool = False
-) -> Layout:
+) -> PocketLayout:
     """Return the layout of a page so large, when a signal is heard or not, and with a row for a third axis or not.
 
     `wrong_in` returns how many rows of a width say what is wrong.
@@ -44,7 +44,7 @@ def arrange(
     body = max(height - stop - keys, 0)
     if small:
         digits = digit_rows(width, body, wrong_in(width))
-        return Layout(digits, body, 0, 0, 0, stop, sky=False, beside=False, column=width)
+        return PocketLayout(digits, body, 0, 0, 0, stop, sky=False, beside=False, column=width)
     beside = width >= LEAST_WIDTH + SKY_WIDTH + 4 and body >= SKY_HEIGHT
     column = width
     if beside:
@@ -59,7 +59,7 @@ def arrange(
     if not beside and rest >= SKY_HEIGHT + (4 if heard else 0):
         sky, rest = True, min(rest - SKY_HEIGHT, 5) if heard else 0
     if heard and rest >= 2:
-        return Layout(digits, reading, rest, 0, keys, stop, sky, beside, column)
+        return PocketLayout(digits, reading, rest, 0, keys, stop, sky, beside, column)
     if rest >= (2 if wrong else 1):
-        return Layout(digits, reading, 0, rest, keys, stop, sky, beside, column)
-    return Layout(digits, reading + rest, 0, 0, keys, stop, sky, beside, column)
+        return PocketLayout(digits, reading, 0, rest, keys, stop, sky, beside, column)
+    return PocketLayout(digits, reading + rest, 0, 0, keys, stop, sky, beside, column)

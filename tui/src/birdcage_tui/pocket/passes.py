@@ -11,11 +11,11 @@ from textual.containers import Vertical
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import pad, wrap
 from birdcage_tui.commands.table import can_release
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.sky_next import WITH_WORDS, draw_next, next_rows
-from birdcage_tui.passes.desk import Desk
 from birdcage_tui.passes.empty import empty_words
+from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.pocket.reading import wrong_rows
 from birdcage_tui.track.offer import Offer, OfferLine
 from birdcage_tui.view import View
@@ -51,7 +51,7 @@ class NextList(Pane, can_focus=True):
         for y, line in enumerate(wrong):
             cells.put(0, y, pad(f" {line}", cells.width), wrong_ink)
         if not self._rows:
-            words = empty_words(view, Desk())
+            words = empty_words(view, PassSelection())
             if view.sky is not None and (view.sky.note or view.sky.rows):
                 words = [("text", view.sky.note or "No passes in reach of this dish soon.")]
             lines = [(ink, line) for ink, sentence in words for line in wrap(sentence, max(cells.width - 2, 10))]
@@ -96,7 +96,7 @@ class NextList(Pane, can_focus=True):
         if not 0 <= index < len(self._rows):
             return
         event.stop()
-        host = cast(Host, self.app)
+        host = cast(AppHost, self.app)
         if self._key is not None and index == self.at:
             host.action_command("pocket-pick")
             return
@@ -138,9 +138,9 @@ class PocketPasses(Vertical):
         yield offer
 
     @property
-    def host(self) -> Host:
+    def host(self) -> AppHost:
         """The app."""
-        return cast(Host, self.app)
+        return cast(AppHost, self.app)
 
     def open(self) -> None:
         """Show the list, and give it the focus."""

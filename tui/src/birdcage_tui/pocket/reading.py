@@ -12,8 +12,8 @@ from birdcage_tui.pane import Pane
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
 from birdcage_tui.skew import has_skew, skew_row, skew_text
 from birdcage_tui.stop_words import searching, stop_text
-from birdcage_tui.track.pursuing import pursuit_of
 from birdcage_tui.track.resume import resume_words
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import headline, live_words, los_words, next_words
 from birdcage_tui.view import View
 from birdcage_tui.words import age_text, bad_day, calm, motion_text

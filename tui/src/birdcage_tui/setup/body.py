@@ -15,16 +15,16 @@ from textual.widgets import Input
 
 from birdcage_tui.calibrate.tabs import SetupTabs
 from birdcage_tui.panes.pointing import PointingPane
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.setup.absent import AbsentSetup
 from birdcage_tui.setup.causes import told_apart
 from birdcage_tui.setup.engine import SetupEngine
-from birdcage_tui.setup.extra import ExtraPane, Kind, kind_for
+from birdcage_tui.setup.extra import ExtraKind, ExtraPane, kind_for
 from birdcage_tui.setup.form import AnswerForm
 from birdcage_tui.setup.host import SetupHost
 from birdcage_tui.setup.layout import SetupLayout, lay_out
 from birdcage_tui.setup.steps import StepsPane
-from birdcage_tui.setup.words import StepWords, Telling
+from birdcage_tui.setup.words import StepText, StepWords
 from birdcage_tui.view import View
 
 HERE = Choice("here", "enter", "Go to this step")
@@ -51,7 +51,7 @@ class SetupBody(SetupLayout):
         self.chosen = 0
         """Which of the causes is unfolded."""
         self.causes: tuple[Cause, ...] = ()
-        self._place: Place | None = None
+        self._place: SitePlace | None = None
         """Where the dish stands, as the other pages were told last."""
         self._busy: tuple[str, float] | None = None
         self._shape: object = None
@@ -202,7 +202,7 @@ class SetupBody(SetupLayout):
         place, host = self.engine.settings.place, self.host
         if place.latitude_deg is None or place.longitude_deg is None:
             return
-        here = Place(place.latitude_deg, place.longitude_deg, place.name or "")
+        here = SitePlace(place.latitude_deg, place.longitude_deg, place.name or "")
         if here != self._place:
             self._place = here
             host.settings = replace(host.settings, place=here)
@@ -218,18 +218,20 @@ class SetupBody(SetupLayout):
         kind = kind_for(step.name, mute=bool(self.causes), wiring_asked=self.wiring, wide=self.wide, wired=wired)
         extra = self.query_one("#setup-extra", ExtraPane)
         told = step
-        if kind is not Kind.CAUSES:
+        if kind is not ExtraKind.CAUSES:
             extra.seen = ""
         else:
             words, seen = told_apart(step, self.causes, view.state.link.detail)
             extra.seen = extra.seen if step.busy else seen
             told = replace(step, words=words)
-        self.query_one(StepWords).telling = Telling(
+        self.query_one(StepWords).telling = StepText(
             told,
             present,
             None if self._busy is None else view.now - self._busy[1],
             wrong=self.wrong,
-            whole=kind is not Kind.CAUSES and not step.busy and self.query_one("#setup-steps", StepsPane).cuts(step),
+            whole=kind is not ExtraKind.CAUSES
+            and not step.busy
+            and self.query_one("#setup-steps", StepsPane).cuts(step),
             news=_finished(self.views) if present and self.engine.finished and not step.busy else (),
             extra=_asides(self.answers(), step, view) if present else (self._only_looking(view),),
             note=self.note,

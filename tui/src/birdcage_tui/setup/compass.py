@@ -7,14 +7,14 @@ import math
 from birdcage.sky.sun import sun
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.view import View
 
 LEAST_HEIGHT, MOST_HEIGHT = 9, 37
 WORDS = 24
 
 
-def draw_compass(cells: Cells, top: int, view: View, place: Place | None) -> None:
+def draw_compass(cells: Cells, top: int, view: View, place: SitePlace | None) -> None:
     """Draw it from row `top` to the bottom of `cells`, with its readings at the right."""
     height = cells.height - top
     width = min(height * 2, cells.width - WORDS - 2)
@@ -58,7 +58,7 @@ def _mark(cells: Cells, left: int, top: int, dot: tuple[float, float], glyph: st
     cells.put(left + math.floor(dot[0] / 2), top + math.floor(dot[1] / 4), glyph, ink)
 
 
-def _readings(cells: Cells, x: int, y: int, view: View, place: Place | None) -> None:
+def _readings(cells: Cells, x: int, y: int, view: View, place: SitePlace | None) -> None:
     """Write what the compass shows as numbers; unknown is a dash."""
     position, state = view.state.position, view.state
     own, true, el = ("---.--°", "---.--°", "--.--°")

@@ -10,7 +10,7 @@ from birdcage.setup.wiring import connectors_of
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.pane import Pane
-from birdcage_tui.settings import Place
+from birdcage_tui.settings import SitePlace
 from birdcage_tui.setup import causes as walk
 from birdcage_tui.setup import wiring
 from birdcage_tui.setup.compass import draw_compass
@@ -20,7 +20,7 @@ COMPASS_STEPS = ("direction", "place", "north", "first")
 WIRED_STEPS = ("link",)
 
 
-class Kind(Enum):
+class ExtraKind(Enum):
     """What it shows."""
 
     NOTHING = ""
@@ -36,12 +36,12 @@ class ExtraPane(Pane):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.kind = Kind.NOTHING
+        self.kind = ExtraKind.NOTHING
         self.causes: Sequence[Cause] = ()
         self.chosen = 0
         self.seen = ""
         self.firmware: str | None = None
-        self.place: Place | None = None
+        self.place: SitePlace | None = None
         self.alone = False
         """Whether nothing stands above it, because a person asked for the wiring."""
 
@@ -51,11 +51,11 @@ class ExtraPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw the heading and what belongs under it."""
-        if self.kind is Kind.NOTHING:
+        if self.kind is ExtraKind.NOTHING:
             return
         width = cells.width - 2
         heading = self.kind.value
-        hint = "← → another cause" if self.kind is Kind.CAUSES and len(self.causes) > 1 else ""
+        hint = "← → another cause" if self.kind is ExtraKind.CAUSES and len(self.causes) > 1 else ""
         cells.put(1, 0, "─" * width, "line")
         x = cells.put(3, 0, f" {heading} ", "dim")
         if self.alone:
@@ -67,10 +67,10 @@ class ExtraPane(Pane):
             middle = x + len(hint) // 2
             self.heat(x, 0, middle - x, "setup-previous-cause")
             self.heat(middle, 0, len(hint) - (middle - x), "setup-next-cause")
-        if self.kind is Kind.COMPASS:
+        if self.kind is ExtraKind.COMPASS:
             draw_compass(cells, 2, view, self.place)
             return
-        if self.kind is Kind.POINTING:
+        if self.kind is ExtraKind.POINTING:
             return
         lines = self._lines(width, cells.height - 1)
         if len(lines) >= cells.height and not self.alone:
@@ -83,7 +83,7 @@ class ExtraPane(Pane):
                 x = cells.put(x, y, text, ink)
 
     def _lines(self, width: int, room: int) -> list[wiring.Line]:
-        if self.kind is Kind.WIRING:
+        if self.kind is ExtraKind.WIRING:
             return wiring.lines(connectors_of(self.firmware), width)
         seen = walk.seen_lines(self.seen, width)
         told = [*seen, *walk.cause_lines(self.causes, self.chosen, width, max(room - len(seen), 1))]
@@ -95,14 +95,14 @@ class ExtraPane(Pane):
         return told
 
 
-def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool, wired: bool) -> Kind:
+def kind_for(step: str, *, mute: bool, wiring_asked: bool, wide: bool, wired: bool) -> ExtraKind:
     """Return what stands under a step; a simulated dish has no wires, nor has one that is on no serial line."""
     if wiring_asked:
-        return Kind.WIRING
+        return ExtraKind.WIRING
     if mute and step == "link":
-        return Kind.CAUSES
+        return ExtraKind.CAUSES
     if not wide:
-        return Kind.NOTHING
+        return ExtraKind.NOTHING
     if step in WIRED_STEPS and wired:
-        return Kind.WIRING
-    return Kind.COMPASS if step in COMPASS_STEPS else Kind.POINTING
+        return ExtraKind.WIRING
+    return ExtraKind.COMPASS if step in COMPASS_STEPS else ExtraKind.POINTING

@@ -19,7 +19,7 @@ PRESENT = ("▶", "accent-strong")
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class StepRow:
     """Steps `first` to `last`, counted from 0: one of them, or several folded into one row."""
 
     first: int
@@ -31,7 +31,7 @@ class Row:
         return self.first == self.last
 
 
-def fold(count: int, looked: int, room: int) -> tuple[Row, ...]:
+def fold(count: int, looked: int, room: int) -> tuple[StepRow, ...]:
     """Return the rows for `count` steps when there is room for `room`; the one looked at is always its own."""
     first = last = looked
     fits: tuple[int, int] | None = (looked, looked)
@@ -40,9 +40,9 @@ def fold(count: int, looked: int, room: int) -> tuple[Row, ...]:
         # Below comes first: what is to come matters more than what is done.
         wider = ((first, last + 1), (first - 1, last))
         fits = next((pair for pair in wider if pair[0] >= 0 and pair[1] < count and _rows(count, *pair) <= room), None)
-    rows = [Row(index, index) for index in range(first, last + 1)]
-    above = [Row(0, first - 1)] if first else []
-    below = [Row(last + 1, count - 1)] if last < count - 1 else []
+    rows = [StepRow(index, index) for index in range(first, last + 1)]
+    above = [StepRow(0, first - 1)] if first else []
+    below = [StepRow(last + 1, count - 1)] if last < count - 1 else []
     return (*above, *rows, *below)
 
 

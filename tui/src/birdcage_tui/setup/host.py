@@ -6,14 +6,14 @@ from typing import Protocol
 
 from birdcage.station.station import Station
 
-from birdcage_tui.settings import AppSettings
+from birdcage_tui.settings import AppOptions
 from birdcage_tui.view import View
 
 
 class SetupHost(Protocol):
     """The app, seen from the page."""
 
-    settings: AppSettings
+    settings: AppOptions
     station: Station
 
     def view(self) -> View:

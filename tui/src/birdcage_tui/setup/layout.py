@@ -11,7 +11,7 @@ from textual.widget import Widget
 
 from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.pointing import PointingPane
-from birdcage_tui.setup.extra import ExtraPane, Kind
+from birdcage_tui.setup.extra import ExtraKind, ExtraPane
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
 from birdcage_tui.setup.steps import StepsPane
@@ -82,26 +82,26 @@ def lay_out(page: SetupLayout) -> object:
     words.display = form.display = not fills
     told = 0 if fills else words.rows(width)
     height = scroll.size.height if wide else page.room.height - LEAST_LIST
-    kept = (2 if wide else 0) + (LEAST_CAUSES if extra.kind is Kind.CAUSES else 0)
+    kept = (2 if wide else 0) + (LEAST_CAUSES if extra.kind is ExtraKind.CAUSES else 0)
     form.fill(page.step.name, page.answers(), page.later(), width, height - told - kept, apart=wide)
     asked = 0 if fills else form.rows
     # A row of air above and below the answers, where the list does not need it.
-    spare = extra.kind is Kind.NOTHING and page.room.height - told - asked - len(page.views) >= 2
+    spare = extra.kind is ExtraKind.NOTHING and page.room.height - told - asked - len(page.views) >= 2
     airy = not fills and (wide or (asked > 0 and spare))
     form.set_class(airy, "-airy")
     asked += 2 if airy else 0
     _rows(words, told)
     _rows(form, form.rows)
-    room = _wide(page) if wide else _narrow(page, told + asked, has_extra=extra.kind is not Kind.NOTHING)
-    extra.display = extra.kind is not Kind.NOTHING
+    room = _wide(page) if wide else _narrow(page, told + asked, has_extra=extra.kind is not ExtraKind.NOTHING)
+    extra.display = extra.kind is not ExtraKind.NOTHING
     pointing = page.query_one(PointingPane)
-    pointing.display = extra.kind is Kind.POINTING
+    pointing.display = extra.kind is ExtraKind.POINTING
     extra.alone = fills
     below = page.query_one("#setup-below", ExtraPane)
-    below.kind, below.place = Kind.COMPASS, extra.place
+    below.kind, below.place = ExtraKind.COMPASS, extra.place
     left = room - told - asked - 2 - POINTING_ROWS
-    below.display = extra.kind is Kind.POINTING and left >= LEAST_BELOW
-    if extra.kind is Kind.POINTING:
+    below.display = extra.kind is ExtraKind.POINTING and left >= LEAST_BELOW
+    if extra.kind is ExtraKind.POINTING:
         _rows(extra, 2)
         _rows(pointing, POINTING_ROWS if left >= 0 else max(left + POINTING_ROWS, 7))
         _rows(below, max(left, 0))

@@ -11,7 +11,7 @@ from textual.message import Message
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.setup.fold import PRESENT, Row, folded_text, glyph_of
+from birdcage_tui.setup.fold import PRESENT, StepRow, folded_text, glyph_of
 from birdcage_tui.view import View
 
 TITLE_WIDTH = 15
@@ -35,7 +35,7 @@ class StepsPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self._steps: Sequence[StepView] = ()
-        self._rows: Sequence[Row] = ()
+        self._rows: Sequence[StepRow] = ()
         self._looked = 0
         self._present = ""
         self.tall = False
@@ -43,7 +43,7 @@ class StepsPane(Pane):
         self._at: list[int] = []
         """Which step stands in each row of the screen."""
 
-    def tell(self, steps: Sequence[StepView], rows: Sequence[Row], looked: int, present: str) -> None:
+    def tell(self, steps: Sequence[StepView], rows: Sequence[StepRow], looked: int, present: str) -> None:
         """Take what the next frame shows."""
         self._steps, self._rows, self._looked, self._present = steps, rows, looked, present
 
@@ -106,7 +106,7 @@ class StepsPane(Pane):
         blocks = self._blocks(self.size.width, self.size.height)
         return blocks is None or any(block[-1].endswith("…") for block in blocks if block)
 
-    def _row(self, cells: Cells, y: int, row: Row) -> None:
+    def _row(self, cells: Cells, y: int, row: StepRow) -> None:
         step = self._steps[row.first]
         if not row.single:
             folded = self._steps[row.first : row.last + 1]

@@ -14,7 +14,7 @@ from birdcage_tui.words import span_text
 
 
 @dataclass(slots=True)
-class Telling:
+class StepText:
     """What there is to tell of one step."""
 
     step: StepView | None = None
@@ -62,11 +62,11 @@ class Telling:
 
 
 class StepWords(Pane):
-    """Draws a `Telling`; `rows` says how many rows it needs."""
+    """Draws a `StepText`; `rows` says how many rows it needs."""
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.telling = Telling()
+        self.telling = StepText()
 
     def rows(self, width: int) -> int:
         """Return how many rows the words take at that width."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.track.pursuing import beam_of, sample_of, shown_is_followed
 from birdcage_tui.track.scale import STEPS_DEG
+from birdcage_tui.track.shown_pursuit import beam_of, sample_of, shown_is_followed
 from birdcage_tui.track.words import degrees, half_beam
 from birdcage_tui.view import View
 

@@ -11,9 +11,9 @@ from textual.containers import Horizontal, Vertical
 from textual.widgets import Input
 
 from birdcage_tui.commands.table import can_release
-from birdcage_tui.control.fields import Field, FieldsScreen
+from birdcage_tui.control.fields import FieldRow, FieldsScreen
 from birdcage_tui.esc_field import EscField, NamedField
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
@@ -22,9 +22,9 @@ from birdcage_tui.track.now import TrackNow
 from birdcage_tui.track.offer import Offer, OfferLine
 from birdcage_tui.track.passes import TrackPasses
 from birdcage_tui.track.plot import TrackSky
-from birdcage_tui.track.pursuing import plan_of
 from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
+from birdcage_tui.track.shown_pursuit import plan_of
 from birdcage_tui.track.strips import TrackStrips
 from birdcage_tui.track_feed import TrackSource
 from birdcage_tui.view import View
@@ -108,9 +108,9 @@ class CraftTab(Vertical):
             yield RadioPane(id="craft-radio")
 
     @property
-    def host(self) -> Host:
+    def host(self) -> AppHost:
         """The app."""
-        return cast(Host, self.app)
+        return cast(AppHost, self.app)
 
     def listing(self, view: View) -> bool:
         """Return whether targets stand in place of the curves: while one searches, and before one is chosen."""
@@ -271,7 +271,7 @@ class CraftTab(Vertical):
     def _ask_frequency(self, view: View) -> None:
         aim = None if view.track is None else view.track.aim
         hertz = None if aim is None else aim.frequency_hz
-        field = Field("MHz", "" if hertz is None else f"{hertz / 1e6:.6f}".rstrip("0").rstrip("."), "default")
+        field = FieldRow("MHz", "" if hertz is None else f"{hertz / 1e6:.6f}".rstrip("0").rstrip("."), "default")
         words = "Sets the receiver, Doppler and pointing loss. Empty: the satellite's own downlink."
 
         def check(values: tuple[str, ...]) -> str:

@@ -9,7 +9,7 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, fit, wrap
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import count_text, reach_text
 from birdcage_tui.view import View
@@ -27,7 +27,7 @@ PASS = 30
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class FoundTarget:
     """A row: what is given to the desk, and what a person reads."""
 
     text: str
@@ -38,19 +38,19 @@ class Candidate:
     """Whether it is known to send nothing any more: its detail says so, and no pass may stand in its place."""
 
 
-def candidates(view: View) -> list[Candidate]:
+def candidates(view: View) -> list[FoundTarget]:
     """Return the rows: what the desk has found; with nothing typed, what is up besides, the highest first."""
     desk = view.track
     if desk is None:
         return []
-    rows = [Candidate(one.text, one.name, one.detail or one.kind, one.favourite, one.silent) for one in desk.found]
+    rows = [FoundTarget(one.text, one.name, one.detail or one.kind, one.favourite, one.silent) for one in desk.found]
     if desk.query.strip() or view.sky is None:
         return rows
     known = {row.name for row in rows}
     floor = view.state.el_min_deg or 0.0
     up = sorted((one for one in view.sky.up if one.name not in known and not one.fixed), key=lambda one: -one.el_deg)
     return rows + [
-        Candidate(str(one.norad_id or one.name), one.name,
+        FoundTarget(str(one.norad_id or one.name), one.name,
                   f"{UP}, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite)
         for one in up[:MOST_UP]
     ]  # fmt: skip
@@ -91,7 +91,7 @@ class FoundList(Pane):
             self._moved = True
             self.show(self.view)
 
-    def chosen(self, view: View) -> Candidate | None:
+    def chosen(self, view: View) -> FoundTarget | None:
         """Return the one under the cursor; None when there is none."""
         here = self._here(view)
         return None if here is None else candidates(view)[here]
@@ -176,7 +176,7 @@ class FoundList(Pane):
         event.stop()
         index = self._top + offset.y - self._above
         if index == self._here(self.view):
-            cast(Host, self.app).action_command("track-take")
+            cast(AppHost, self.app).action_command("track-take")
         else:
             self.cursor, self._moved = index, True
             self.show(self.view)

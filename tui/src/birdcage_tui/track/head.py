@@ -9,7 +9,7 @@ from birdcage_tui.cell_text import cell_len, fit
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.mending import motion_mend, release_mend, then_words
 from birdcage_tui.pane import Pane
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed
+from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
 from birdcage_tui.unready import NO_LOCATION
 from birdcage_tui.view import View

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import fit, wrap
@@ -13,7 +13,14 @@ from birdcage_tui.digits import put_big, width_of
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, count_text
 from birdcage_tui.track.bullseye import draw_bullseye
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, same_target, sample_of, shown_is_followed, target_place
+from birdcage_tui.track.shown_pursuit import (
+    plan_of,
+    pursuit_of,
+    same_target,
+    sample_of,
+    shown_is_followed,
+    target_place,
+)
 from birdcage_tui.track.words import (
     ahead_words,
     countdown_s,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, cast
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import ReleaseLease
 from textual import events
 
@@ -16,11 +16,11 @@ from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.commands.mending import release_mend
 from birdcage_tui.commands.table import can_release
 from birdcage_tui.commands.track import can_autotrack, can_follow, can_watch
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, shown_is_followed, target_place
+from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, shown_is_followed, target_place
 from birdcage_tui.view import YOU, View
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ def _follow_words(name: str, plan: Plan | None, view: View) -> tuple[str, str]:
     return "accent-row", f"Enter follows {name}: the dish goes to {where} {_when(leg.start_s, view)}."
 
 
-def carry_out(deed: str, host: Host) -> None:
+def carry_out(deed: str, host: AppHost) -> None:
     """Ask the desk for what was offered."""
     source = host.track.source
     if source is None:
@@ -176,7 +176,7 @@ class OfferLine(Pane, can_focus=True):
         """Do it: once its plan is seen, and nothing is held."""
         if command != self.scope:
             return False
-        host = cast(Host, self.app)
+        host = cast(AppHost, self.app)
         view = host.view()
         if can_release(view) is None:
             host.action_command("release")
@@ -194,7 +194,7 @@ class OfferLine(Pane, can_focus=True):
         if event.key in ("escape", "backspace"):
             event.stop()
             self.closed()
-            cast(Host, self.app).paint()
+            cast(AppHost, self.app).paint()
 
     def closed(self) -> None:
         """Give the focus away, after Esc."""

@@ -8,10 +8,10 @@ from textual import events
 
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import wrap
-from birdcage_tui.host import Host
+from birdcage_tui.host import AppHost
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import EDGES, length_text, reasons_text
-from birdcage_tui.track.pursuing import plan_of
+from birdcage_tui.track.shown_pursuit import plan_of
 from birdcage_tui.track.words import left_text, pass_words, reach_words
 from birdcage_tui.view import View
 
@@ -98,4 +98,4 @@ class TrackPasses(Pane):
             return
         event.stop()
         self.cursor = self._top + offset.y - 1
-        cast(Host, self.app).action_command("track-take")
+        cast(AppHost, self.app).action_command("track-take")

@@ -9,7 +9,7 @@ from birdcage.base.geometry import separation, shortest_turn
 
 from birdcage_tui.canvas import Braille
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.track.pursuing import to_true
+from birdcage_tui.track.shown_pursuit import to_true
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, Ground, has_stops, name_target, rim, sky_titles, title_for
+from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.track.path import Points, draw_path, ticks
-from birdcage_tui.track.pursuing import plan_of, pursuit_of, sample_of, shown_is_followed, target_place
+from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, sample_of, shown_is_followed, target_place
 from birdcage_tui.view import View
 
 TITLES = sky_titles("Sky")
@@ -55,7 +55,7 @@ class TrackSky(Pane):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self._ground = Ground(with_arc=False)
+        self._ground = SkyBackdrop(with_arc=False)
         self._points = Points()
 
     def draw(self, cells: Cells, view: View) -> None:

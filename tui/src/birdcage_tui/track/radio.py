@@ -9,7 +9,7 @@ from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cut, fit, wrap
 from birdcage_tui.pane import Pane
-from birdcage_tui.track.pursuing import plan_of
+from birdcage_tui.track.shown_pursuit import plan_of
 from birdcage_tui.view import View
 
 SIGNS = {

@@ -9,7 +9,7 @@ from birdcage_tui.view import View
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from birdcage.station.pursuit import Sample
+    from birdcage.station.pursuit_state import PointingSample
     from birdcage.tracking.plan import Plan
 
 STEPS_DEG = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 45.0, 90.0, 180.0)
@@ -50,6 +50,6 @@ def error_top(errors_deg: Sequence[float]) -> float:
     return next((step for step in STEPS_DEG if step >= wanted_deg), STEPS_DEG[-1])
 
 
-def shown_deg(look: Sample) -> float:
+def shown_deg(look: PointingSample) -> float:
     """Return the error that is drawn: elements and all; where these are of unknown error, that of the dish."""
     return look.error_deg if look.expected_error_deg is None else look.expected_error_deg

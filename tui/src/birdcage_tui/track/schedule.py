@@ -11,7 +11,7 @@ from birdcage_tui.canvas import Cells
 from birdcage_tui.cell_text import cell_len, cut, fit, pad, wrap
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text, length_text
-from birdcage_tui.track.pursuing import pursuit_of
+from birdcage_tui.track.shown_pursuit import pursuit_of
 from birdcage_tui.track.words import DEMO, plain_name
 from birdcage_tui.view import View
 

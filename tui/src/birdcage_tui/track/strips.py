@@ -11,8 +11,8 @@ from birdcage_tui.canvas import Braille, Cells
 from birdcage_tui.pane import Pane
 from birdcage_tui.passes.words import clock_text
 from birdcage_tui.track.path import Points, Spot
-from birdcage_tui.track.pursuing import beam_of, plan_of, shown_is_followed, target_place
 from birdcage_tui.track.scale import error_top, shown_deg, window
+from birdcage_tui.track.shown_pursuit import beam_of, plan_of, shown_is_followed, target_place
 from birdcage_tui.track.still import draw_still
 from birdcage_tui.track.words import degrees, drifts, left_text
 from birdcage_tui.view import View

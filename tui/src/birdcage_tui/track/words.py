@@ -5,17 +5,17 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.station.pursuit import Phase
+from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.passes.words import clock_text, count_text, length_text
-from birdcage_tui.track.pursuing import next_incident, pursuit_of, sample_of
 from birdcage_tui.track.resume import resume_words
+from birdcage_tui.track.shown_pursuit import next_incident, pursuit_of, sample_of
 from birdcage_tui.view import View
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
     from birdcage.pursuit.now import Unfinished
-    from birdcage.station.pursuit import Pursuit, Sample
+    from birdcage.station.pursuit_state import PointingSample, Pursuit
     from birdcage.tracking.day import Day
     from birdcage.tracking.plan import Incident, Plan
 
@@ -320,7 +320,7 @@ def expected_words(plan: Plan) -> tuple[str, tuple[str, ...]]:
     return GRADE_INKS[closest.grade], tuple(shapes)
 
 
-def live_deg(sample: Sample, plan: Plan) -> float | None:
+def live_deg(sample: PointingSample, plan: Plan) -> float | None:
     """Return the error to believe now, as a rule; the dish's own where its plan knows of no other."""
     return sample.error_deg if plan.pointing is None else sample.expected_error_deg
 
@@ -354,7 +354,7 @@ def rate_deg_s(view: View) -> float | None:
     """Return how fast the target goes over the sky, in degrees a second: now, or where the pass is highest."""
     from birdcage.base.geometry import separation
 
-    from birdcage_tui.track.pursuing import plan_of
+    from birdcage_tui.track.shown_pursuit import plan_of
 
     plan = plan_of(view)
     if plan is None:

@@ -3,8 +3,8 @@
 from birdcage.base.config.edit import edit
 from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings, feed_label
 from birdcage.base.config.load import load
-from birdcage.base.config.progress import Kept, SetupSettings
-from birdcage.base.config.schema import Row, rows
+from birdcage.base.config.progress import KeptStep, SetupSettings
+from birdcage.base.config.schema import KeyRow, rows
 from birdcage.base.config.sections import (
     AlignmentSettings,
     AppSettings,
@@ -30,14 +30,14 @@ __all__ = [
     "FeedSettings",
     "HookSettings",
     "HorizonPoint",
-    "Kept",
+    "KeptStep",
+    "KeyRow",
     "LinkSettings",
     "MotionSettings",
     "NoGoSector",
     "PlaceSettings",
     "Problem",
     "RadioSettings",
-    "Row",
     "Settings",
     "SetupSettings",
     "TrackingSettings",

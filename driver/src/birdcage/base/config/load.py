@@ -14,7 +14,7 @@ from birdcage.base.config.fact_sections import FACT_PARTS, FACT_SECTIONS, OwnFac
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
 from birdcage.base.config.progress import SetupSettings
-from birdcage.base.config.schema import SECTIONS, Row, rows_of
+from birdcage.base.config.schema import SECTIONS, KeyRow, rows_of
 from birdcage.base.config.sections import (
     AlignmentSettings,
     AppSettings,
@@ -181,7 +181,7 @@ class _Reader:
             return base
         return read
 
-    def _override(self, row: Row, dotted: str, values: dict[str, object], limits_motion: bool) -> None:
+    def _override(self, row: KeyRow, dotted: str, values: dict[str, object], limits_motion: bool) -> None:
         text = clean(self._environ.get(row.env, "")) if row.env else None
         culprit = row.env
         try:

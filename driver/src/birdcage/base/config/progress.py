@@ -14,7 +14,7 @@ _LINE = re.compile(rf"(done|skipped|begun) ({_WHEN})(?:: (.*))?")
 _CLOCK = re.compile(rf"(?:compared|gps) {_WHEN}: ([+-]\d+(?:\.\d+)?) s|trusted {_WHEN}")
 
 
-class Kept(NamedTuple):
+class KeptStep(NamedTuple):
     """One step as the file keeps it."""
 
     word: str
@@ -39,7 +39,7 @@ class Kept(NamedTuple):
         return self.word == "skipped"
 
     @classmethod
-    def read(cls, text: str) -> Kept | None:
+    def read(cls, text: str) -> KeptStep | None:
         """Read a line of the file; None when it is none."""
         found = _LINE.fullmatch(text)
         return None if found is None else cls(found[1], found[2], found[3] or "")
@@ -67,10 +67,10 @@ class SetupSettings(Section):
         "The clock of this machine: `compared WHEN: +1 s` against a watch, `gps WHEN: +0.1 s`, or `trusted WHEN`.",
     )
 
-    def kept(self, step: str) -> Kept | None:
+    def kept(self, step: str) -> KeptStep | None:
         """Return what is kept of a step; None for nothing. AttributeError when there is no such step."""
         text = getattr(self, step)
-        return None if text is None else Kept.read(text)
+        return None if text is None else KeptStep.read(text)
 
     @property
     def begun(self) -> bool:
@@ -89,6 +89,6 @@ class SetupSettings(Section):
         """Yield lines that the setup can't have written."""
         for field in fields(self):
             text = getattr(self, field.name)
-            good = _CLOCK.fullmatch(text or "") if field.name == "clock" else Kept.read(text or "")
+            good = _CLOCK.fullmatch(text or "") if field.name == "clock" else KeptStep.read(text or "")
             if text is not None and good is None:
                 yield field.name, f"is {text[:60]!r}, which the setup did not write; take the line away to do it again"

@@ -58,7 +58,7 @@ Kind = Literal["text", "whole number", "number", "true or false", "choice", "sec
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class KeyRow:
     """One key of the file."""
 
     section: str
@@ -82,19 +82,19 @@ class Row:
         return f"{self.section}.{self.key}"
 
 
-def rows() -> tuple[Row, ...]:
+def rows() -> tuple[KeyRow, ...]:
     """Return every key that `birdcage.toml` may have, section by section."""
     return tuple(row for section in SECTIONS for row in rows_of(section).values())
 
 
-def rows_of(section: type[Section]) -> dict[str, Row]:
+def rows_of(section: type[Section]) -> dict[str, KeyRow]:
     """Return the rows of one section by key."""
     hints = typing.get_type_hints(section)
     assert dataclasses.is_dataclass(section)
     return {field.name: _row(section, field, hints[field.name]) for field in dataclasses.fields(section)}
 
 
-def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) -> Row:
+def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) -> KeyRow:
     declared: Declared = field.metadata["declared"]
     optional = isinstance(hint, types.UnionType) or typing.get_origin(hint) is typing.Union
     if optional:
@@ -104,7 +104,7 @@ def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) ->
     env = declared.env
     if env is None and kind not in ("sectors", "points") and section is not FeedProfile:
         env = f"BIRDCAGE_{section.section}_{field.name}".replace(".", "_").upper()
-    return Row(
+    return KeyRow(
         section=section.section,
         key=field.name,
         kind=kind,

@@ -6,7 +6,7 @@ import difflib
 import math
 from collections.abc import Iterable
 
-from birdcage.base.config.schema import Row
+from birdcage.base.config.schema import KeyRow
 from birdcage.base.config.sections import HorizonPoint, NoGoSector
 
 
@@ -14,7 +14,7 @@ class BadValue(ValueError):
     """The message is the end of a sentence that begins with the key: `is 95, more than 90 deg`."""
 
 
-def from_toml(row: Row, value: object) -> object:
+def from_toml(row: KeyRow, value: object) -> object:
     """Return `value`, as tomllib gave it, in the type of the setting. BadValue says what was expected."""
     if row.kind == "number" and isinstance(value, int | float) and not isinstance(value, bool):
         return _in_range(row, float(value))
@@ -38,7 +38,7 @@ def from_toml(row: Row, value: object) -> object:
     raise BadValue(f"is {_shown(value)}, not {_expected(row)}")
 
 
-def from_text(row: Row, text: str) -> object:
+def from_text(row: KeyRow, text: str) -> object:
     """Return the value of a variable. BadValue says what was expected."""
     text = text.strip()
     words = {"true": True, "yes": True, "on": True, "1": True, "false": False, "no": False, "off": False, "0": False}
@@ -67,7 +67,7 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     return next(iter(difflib.get_close_matches(word, list(known), n=1, cutoff=0.5)), None)
 
 
-def _in_range(row: Row, value: float) -> float:
+def _in_range(row: KeyRow, value: float) -> float:
     unit = f" {row.unit}" if row.unit else ""
     if not math.isfinite(value):
         raise BadValue(f"is {value}, not a finite number")
@@ -100,7 +100,7 @@ def _numbers(values: list[object]) -> list[float]:
     return [each for each in numbers if math.isfinite(each)]
 
 
-def _expected(row: Row) -> str:
+def _expected(row: KeyRow) -> str:
     if row.kind == "choice":
         return f"one of {', '.join(row.choices)}"
     if row.kind == "sectors":

@@ -23,7 +23,7 @@ def guide() -> None:
     from birdcage.calibration.work import observer_of
     from birdcage.cli.calibrate_talk import CalibrateTalk
     from birdcage.cli.dish import open_dish
-    from birdcage.cli.talk import Answers
+    from birdcage.cli.talk import TypedLines
 
     if not sys.stdin.isatty():
         raise click.UsageError("The guide needs a terminal to ask its questions.")
@@ -36,6 +36,6 @@ def guide() -> None:
         dish.survey()
         leading = Guide(dish.session, dish_wanted.settings, dish_wanted.paths, flags=over, holder=HOLDER)
         try:
-            CalibrateTalk(leading, dish, Answers(sys.stdin), dish_wanted.paths).run()
+            CalibrateTalk(leading, dish, TypedLines(sys.stdin), dish_wanted.paths).run()
         finally:
             leading.close()

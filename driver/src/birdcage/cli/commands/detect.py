@@ -47,16 +47,16 @@ def command(context: click.Context) -> None:
 
 def _owner(dish: Wanted) -> str | None:
     """Return who has the port, in a sentence; None if no birdcage program has."""
-    from birdcage.station.ring import NoAnswer, NobodyThere, find_owner, owners_folder, ring
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, owners_folder
 
     owner = find_owner(owners_folder(dish.paths), dish.port)
     if owner is None:
         return None
     try:
-        firmware = ring(owner, "status", "birdcage detect").get("firmware") or "nothing yet"
+        firmware = call_owner(owner, "status", "birdcage detect").get("firmware") or "nothing yet"
     except NoAnswer as error:
         return f"{error}."
-    except NobodyThere:
+    except OwnerGone:
         return None
     return f"Process {owner.pid} has {owner.port} and speaks {firmware} there. Nothing was sent."
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from birdcage.base.config import FeedProfile
     from birdcage.base.paths import Paths
     from birdcage.sky.downlinks import Downlink, Downlinks
-    from birdcage.sky.downlinks_hearing import Hearing
+    from birdcage.sky.downlinks_hearing import FeedHearing
 
 
 HEAD = ("SATELLITE", "MHZ", "MODE", "POL", "SYMBOLS", "SATDUMP", "ON THE AIR", "REMARK")
@@ -95,7 +95,7 @@ def _band(feed: FeedProfile) -> str:
     return f"{feed.freq_min_hz / 1e6:g} to {feed.freq_max_hz / 1e6:g} MHz"
 
 
-def _values(each: Downlink, heard: Hearing | None, now: datetime) -> dict[str, object]:
+def _values(each: Downlink, heard: FeedHearing | None, now: datetime) -> dict[str, object]:
     from birdcage.sky.downlinks_words import downlink_values
 
     return {
@@ -105,7 +105,7 @@ def _values(each: Downlink, heard: Hearing | None, now: datetime) -> dict[str, o
     }
 
 
-def _tell(rows: list[tuple[Downlink, Hearing | None]], now: datetime) -> None:
+def _tell(rows: list[tuple[Downlink, FeedHearing | None]], now: datetime) -> None:
     from birdcage.cli.say import say
     from birdcage.cli.table import cut, fitting, room, tell_table, widths_of
     from birdcage.sky.downlinks_words import air_words, baud_words, satdump_words

@@ -11,7 +11,7 @@ from birdcage.cli.exits import DATA_EPILOG, NOT_DONE
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
-    from birdcage.sky.formats import Harvest
+    from birdcage.sky.formats import ParseResult
 
 PASTED = "pasted"
 
@@ -52,12 +52,12 @@ def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> No
         context.exit(NOT_DONE)
 
 
-def read_all(paths: tuple[str, ...]) -> Harvest:
+def read_all(paths: tuple[str, ...]) -> ParseResult:
     """Return what files, folders and stdin (-) hold."""
     from pathlib import Path
 
     from birdcage.cli.say import say
-    from birdcage.sky.formats import Harvest, read_path, read_text
+    from birdcage.sky.formats import ParseResult, read_path, read_text
     from birdcage.sky.formats.read import LARGEST_FILE
 
     harvests = []
@@ -71,7 +71,7 @@ def read_all(paths: tuple[str, ...]) -> Harvest:
         if len(pasted) > LARGEST_FILE:
             raise click.UsageError(f"This is more than {LARGEST_FILE / 1e6:.0f} MB, too much for a list of elements.")
         harvests.append(read_text(pasted.decode("utf-8-sig", "replace"), PASTED))
-    return Harvest(
+    return ParseResult(
         tuple(each for harvest in harvests for each in harvest.elements),
         tuple(each for harvest in harvests for each in harvest.complaints),
         tuple(each for harvest in harvests for each in harvest.groups),

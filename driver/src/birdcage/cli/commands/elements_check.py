@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from birdcage.sky.age import ExpectedError
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.formats import Complaint
 
 
@@ -36,14 +36,14 @@ def check(context: click.Context, paths: tuple[str, ...], older_than: float | No
     from birdcage.cli.commands.elements_common import EMPTY, complaint_values, entry_values, open_catalogue, say_ahead
     from birdcage.cli.say import say, tell_json
     from birdcage.sky.age import error_values, expected_error
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
 
     now = datetime.now(UTC)
     complaints: Sequence[Complaint] = ()
     if paths:
         harvest = read_all(paths)
         complaints = harvest.complaints
-        entries = tuple(Entry(each, now) for each in harvest.elements)
+        entries = tuple(CatalogueEntry(each, now) for each in harvest.elements)
     else:
         with open_catalogue() as catalogue:
             entries = catalogue.entries()
@@ -72,7 +72,7 @@ _OF_OURS = ("fetched", "groups", "tags", "favourite", "priority", "time_offset_s
 """What the catalogue knows of a satellite, and a file does not."""
 
 
-def _tell(entries: Sequence[Entry], now: datetime) -> None:
+def _tell(entries: Sequence[CatalogueEntry], now: datetime) -> None:
     from birdcage.cli.table import tell_table
     from birdcage.sky.age import expected_error
     from birdcage.sky.catalogue.words import age
@@ -98,7 +98,7 @@ def _off(found: ExpectedError) -> str:
     return f"{found.glyph} {degrees(found.pointing_median_deg)}, {degrees(found.pointing_p90_deg)}"
 
 
-def _sum_up(entries: Sequence[Entry], complaints: Sequence[Complaint], now: datetime) -> str:
+def _sum_up(entries: Sequence[CatalogueEntry], complaints: Sequence[Complaint], now: datetime) -> str:
     epochs = sorted(each.elements.epoch for each in entries)
     bad = f" {len(complaints)} damaged, named above and skipped." if complaints else ""
     if not epochs:

@@ -11,7 +11,7 @@ from birdcage.cli.say import iso
 
 if TYPE_CHECKING:
     from birdcage.base.config import ElementsSettings
-    from birdcage.sky.catalogue import Catalogue, Entry
+    from birdcage.sky.catalogue import Catalogue, CatalogueEntry
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.formats import Complaint
 
@@ -30,7 +30,7 @@ def open_catalogue() -> Iterator[Catalogue]:
         yield catalogue
 
 
-def find_entry(catalogue: Catalogue, text: str) -> Entry:
+def find_entry(catalogue: Catalogue, text: str) -> CatalogueEntry:
     """Return the satellite that a person names, as every command takes names, and say if it is silent.
 
     BirdcageError (UnknownTarget, or reason ``no_satellite`` for what is none) with a sentence when no single one is.
@@ -77,7 +77,7 @@ def elements_settings() -> ElementsSettings:
     return settings.elements
 
 
-def entry_values(entry: Entry, now: datetime) -> dict[str, object]:
+def entry_values(entry: CatalogueEntry, now: datetime) -> dict[str, object]:
     """Return a satellite for JSON."""
     return {
         "name": entry.name,
@@ -100,7 +100,7 @@ def complaint_values(complaint: Complaint) -> dict[str, object]:
     return {"source": complaint.source, "line": complaint.line or None, "why": complaint.why}
 
 
-def tell_entries(entries: Sequence[Entry], now: datetime) -> None:
+def tell_entries(entries: Sequence[CatalogueEntry], now: datetime) -> None:
     """Print satellites, one a line."""
     from birdcage.cli.table import tell_table
     from birdcage.sky.catalogue.words import age
@@ -121,7 +121,7 @@ def tell_entries(entries: Sequence[Entry], now: datetime) -> None:
     tell_table(head, rows, right=" r  r")
 
 
-def _notes(entry: Entry) -> str:
+def _notes(entry: CatalogueEntry) -> str:
     notes = [f"priority {entry.priority}"] if entry.priority else []
     if entry.time_offset_s is not None:
         dated = f" of {entry.time_offset_set:%Y-%m-%d}" if entry.time_offset_set is not None else ""

@@ -13,7 +13,7 @@ from birdcage.cli.options import flags, global_options
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from birdcage.sky.catalogue import Entry, Group
+    from birdcage.sky.catalogue import CatalogueEntry, CatalogueGroup
 
 
 @click.command("list", short_help="List groups and satellites, and how old they are.", epilog=DATA_EPILOG)
@@ -61,14 +61,14 @@ def search(context: click.Context, text: str, limit: int) -> None:
     from birdcage.cli.commands.elements_common import EMPTY, open_catalogue
     from birdcage.cli.options import find_paths
     from birdcage.cli.say import say
-    from birdcage.sky.catalogue import Entry
+    from birdcage.sky.catalogue import CatalogueEntry
     from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.targets import Resolver
 
     with open_catalogue() as catalogue:
         resolver = Resolver(catalogue.index(), load_downlinks(find_paths().downlinks_file))
         hits = (each.hit for each in resolver.find(text))
-        found = tuple(each for each in hits if isinstance(each, Entry))[:limit]
+        found = tuple(each for each in hits if isinstance(each, CatalogueEntry))[:limit]
         empty = not found and not catalogue.all()
         problem = "" if found or empty else resolver.resolve(text).problem
     if found or flags().json:
@@ -78,7 +78,7 @@ def search(context: click.Context, text: str, limit: int) -> None:
         context.exit(NOT_DONE)
 
 
-def _tell_satellites(entries: Sequence[Entry], now: datetime) -> None:
+def _tell_satellites(entries: Sequence[CatalogueEntry], now: datetime) -> None:
     from birdcage.cli.commands.elements_common import entry_values, tell_entries
     from birdcage.cli.say import tell_json
 
@@ -88,16 +88,18 @@ def _tell_satellites(entries: Sequence[Entry], now: datetime) -> None:
         tell_entries(entries, now)
 
 
-def _tell_groups(groups: Sequence[Group], entries: Sequence[Entry], now: datetime, *, fetchable: bool) -> None:
+def _tell_groups(
+    groups: Sequence[CatalogueGroup], entries: Sequence[CatalogueEntry], now: datetime, *, fetchable: bool
+) -> None:
     from birdcage.cli.say import tell, tell_json
     from birdcage.cli.table import tell_table
-    from birdcage.sky.catalogue import Group
+    from birdcage.sky.catalogue import CatalogueGroup
     from birdcage.sky.catalogue.words import age, at
     from birdcage.sky.update.sources import GROUPS
 
     if fetchable:
         known = {each.name for each in groups}
-        groups = [*groups, *(Group(name) for name in GROUPS if name not in known)]
+        groups = [*groups, *(CatalogueGroup(name) for name in GROUPS if name not in known)]
     epochs = {each.name: sorted(e.elements.epoch for e in entries if each.name in e.groups) for each in groups}
     if flags().json:
         tell_json([_group_values(each, epochs[each.name], now) for each in groups])
@@ -118,7 +120,7 @@ def _tell_groups(groups: Sequence[Group], entries: Sequence[Entry], now: datetim
         tell(f"Satellites in all: {len(entries)}{f', {alone} of them in no group' if alone else ''}.")
 
 
-def _group_values(group: Group, epochs: Sequence[datetime], now: datetime) -> dict[str, object]:
+def _group_values(group: CatalogueGroup, epochs: Sequence[datetime], now: datetime) -> dict[str, object]:
     from birdcage.cli.say import iso
 
     return {

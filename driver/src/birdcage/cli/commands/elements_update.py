@@ -10,7 +10,7 @@ from birdcage.cli.exits import DATA_EPILOG, NOT_DONE, SIGNAL
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
-    from birdcage.sky.update.refresh import Outcome
+    from birdcage.sky.update.refresh import RefreshOutcome
 
 
 @click.command("update", short_help="Fetch groups from CelesTrak, SatNOGS DB or your mirror.", epilog=DATA_EPILOG)
@@ -31,7 +31,7 @@ def update(context: click.Context, groups: tuple[str, ...], force: bool) -> None
     settings = elements_settings()
     names = groups or settings.group_names or DEFAULT_GROUPS
     sources = find_sources(names, mirror_url=settings.mirror_url)
-    outcomes: list[Outcome] = []
+    outcomes: list[RefreshOutcome] = []
     progress = Progress()
     with open_catalogue() as catalogue:
         try:
@@ -52,7 +52,7 @@ def update(context: click.Context, groups: tuple[str, ...], force: bool) -> None
         context.exit(NOT_DONE)
 
 
-def _tell(outcome: Outcome) -> None:
+def _tell(outcome: RefreshOutcome) -> None:
     from birdcage.cli.say import say, tell
 
     for complaint in outcome.complaints:
@@ -61,7 +61,7 @@ def _tell(outcome: Outcome) -> None:
         tell(f"{outcome.name:14} {outcome.status.value:10} {outcome.sentence}")
 
 
-def _values(outcome: Outcome) -> dict[str, object]:
+def _values(outcome: RefreshOutcome) -> dict[str, object]:
     from birdcage.cli.commands.elements_common import complaint_values
     from birdcage.cli.say import iso
 

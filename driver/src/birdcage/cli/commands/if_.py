@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from datetime import datetime
 
     from birdcage.base.paths import Paths
-    from birdcage.sky.band import Conversion, Span
+    from birdcage.sky.band import Conversion, FrequencyRange
     from birdcage.sky.downlinks import Downlink, Downlinks
 
 
@@ -167,7 +167,7 @@ def _sender_lines(sent: Sequence[Downlink], now: datetime) -> list[str]:
     return told
 
 
-def _verdict(receiver: Span, conversion: Conversion) -> list[str]:
+def _verdict(receiver: FrequencyRange, conversion: Conversion) -> list[str]:
     """Return whether a receiver tunes there; else by how much not, and below it which oscillator would do."""
     from birdcage.sky.band import megahertz
 

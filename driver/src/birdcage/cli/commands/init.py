@@ -11,7 +11,7 @@ from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options, wanted
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import Dish
+    from birdcage.cli.dish import DishSession
     from birdcage.station.events import Event
     from birdcage.station.known import Facts
 
@@ -83,7 +83,7 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     if timeout_s is None:
         timeout_s = PATIENCE_S if dish_wanted.model is None else dish_wanted.model.boot_s
     with open_dish(dish_wanted) as dish:
-        follower = Follower(dish)
+        follower = BootFollower(dish)
         dish.come_up(timeout_s, patient=True, hear=follower.hear, each_time=follower.show)
         dish.survey()
         dish.progress.clear()
@@ -100,10 +100,10 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
         say("Ready.")
 
 
-class Follower:
+class BootFollower:
     """Tells the boot as it goes, with the time since the beginning."""
 
-    def __init__(self, dish: Dish) -> None:
+    def __init__(self, dish: DishSession) -> None:
         self._dish, self._since = dish, dish.now
         self.booted = False
         """Whether boot text was seen."""
@@ -131,10 +131,10 @@ class Follower:
             self._dish.progress.show(f"{self.elapsed_s:5.0f} s  waiting: {self._dish.state.link.detail}")
 
 
-def _describe(dish: Dish) -> None:
+def _describe(dish: DishSession) -> None:
     from birdcage.cli.dish import how_to_home
     from birdcage.cli.say import say
-    from birdcage.station.state import Activity, Search
+    from birdcage.station.state import Activity, TvSearch
 
     state = dish.state
     assert state.dish is not None, "a station knows its dish from the start"
@@ -150,7 +150,7 @@ def _describe(dish: Dish) -> None:
         at = state.position
         skew = "" if at.skew_deg is None else f" SK {at.skew_deg:.2f}°"
         say(f"It points at AZ {at.az_text} EL {at.el_deg:.2f}°{skew}.")
-    if state.search is Search.NONE:
+    if state.search is TvSearch.NONE:
         return
     if _ends_at_once(state.dish):
         say(SEARCHES[state.search.value])
@@ -187,7 +187,7 @@ def _no_switch(model: Facts | None) -> str:
     return "" if model is None else words.get(model.search_switch, "")
 
 
-def _end_search(dish: Dish, *, booted: bool) -> None:
+def _end_search(dish: DishSession, *, booted: bool) -> None:
     from birdcage.station.requests import SetSearch
     from birdcage.station.state import Activity
 
@@ -200,7 +200,7 @@ def _end_search(dish: Dish, *, booted: bool) -> None:
         dish.look()
 
 
-def _release(dish: Dish) -> None:
+def _release(dish: DishSession) -> None:
     """Let go of what a restart has latched: here it was waited for. Held where somebody stopped the dish."""
     from birdcage.base.errors import Held
     from birdcage.station.requests import AcknowledgeFault, Release
@@ -212,7 +212,7 @@ def _release(dish: Dish) -> None:
     dish.ask(Release(HOLDER), 5.0)
 
 
-def _switch(dish: Dish, *, disabled: bool, booted: bool) -> None:
+def _switch(dish: DishSession, *, disabled: bool, booted: bool) -> None:
     from birdcage.cli.say import say
     from birdcage.station.requests import SetSearch
 

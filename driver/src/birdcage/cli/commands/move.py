@@ -14,7 +14,7 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, elements_option, no_optio
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from birdcage.cli.dish import Dish
+    from birdcage.cli.dish import DishSession
     from birdcage.station.events import Event
     from birdcage.station.requests import Goto
 
@@ -60,7 +60,7 @@ def command(
         if no_wait:
             _begin(dish, request, timeout_s)
             return
-        arrived = dish.ask(request, timeout_s, Shown(dish))
+        arrived = dish.ask(request, timeout_s, MoveShown(dish))
         miss_deg = dish.state.target_miss_deg
     assert isinstance(arrived, Pointing), "a go-to resolves with the position at arrival"
     if flags().json:
@@ -121,7 +121,7 @@ def _direction(
     return seen.az_deg, el_deg
 
 
-def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:
+def _beyond(dish: DishSession, az_deg: float, el_deg: float) -> tuple[float, float]:
     """Apply the fixed overshoot of `birdcage.leapfrog` against the position that was just read."""
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import how_to_home
@@ -137,7 +137,7 @@ def _beyond(dish: Dish, az_deg: float, el_deg: float) -> tuple[float, float]:
     return beyond
 
 
-def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
+def _begin(dish: DishSession, request: Goto, timeout_s: float) -> None:
     """Wait until the dish has taken the target, and leave it moving."""
     from birdcage.cli.say import say
     from birdcage.rotator.ladder import StopMeans
@@ -161,10 +161,10 @@ def _begin(dish: Dish, request: Goto, timeout_s: float) -> None:
     say(f"On its way to AZ {request.az_deg:.2f}° EL {request.el_deg:.2f}°. {stops}.{how}")
 
 
-class Shown:
+class MoveShown:
     """Shows how far it is on a terminal."""
 
-    def __init__(self, dish: Dish) -> None:
+    def __init__(self, dish: DishSession) -> None:
         self._progress = dish.progress
 
     def __call__(self, event: Event) -> None:

@@ -31,7 +31,7 @@ def command(listing: bool, step: str | None) -> None:
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say
-    from birdcage.cli.talk import Answers, Talk
+    from birdcage.cli.talk import Conversation, TypedLines
 
     dish_wanted = wanted()
     dish_wanted = _with_firmware(dish_wanted, detect=not listing and not flags().json)
@@ -40,14 +40,14 @@ def command(listing: bool, step: str | None) -> None:
         return
     if not sys.stdin.isatty():
         raise click.UsageError("The setup needs a terminal to ask its questions. --list needs none.")
-    answers = Answers(sys.stdin)
+    answers = TypedLines(sys.stdin)
     while True:
         with open_dish(dish_wanted, moves=True) as dish:
             setup = _setup(dish.session, dish_wanted)
             if step is not None:
                 setup.go(step)
             try:
-                finished = Talk(setup, dish, answers).run()
+                finished = Conversation(setup, dish, answers).run()
             finally:
                 setup.close()
             firmware = setup.begin_anew

@@ -12,7 +12,7 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 
 if TYPE_CHECKING:
     from birdcage.detection.detecting import Detection
-    from birdcage.station.ring import Owner
+    from birdcage.station.control_client import Owner
 
 BY = "birdcage stop"
 PATIENCE_S = 15.0
@@ -75,7 +75,7 @@ def _ring(dish: Wanted) -> list[dict[str, Any]]:
 
 
 def _owners(dish: Wanted) -> list[Owner]:
-    from birdcage.station.ring import find_owner, find_owners, owners_folder
+    from birdcage.station.control_client import find_owner, find_owners, owners_folder
 
     if not dish.port_given:
         return find_owners(owners_folder(dish.paths))
@@ -84,17 +84,17 @@ def _owners(dish: Wanted) -> list[Owner]:
 
 
 def _ring_one(owner: Owner) -> dict[str, Any] | None:
-    from birdcage.cli.app import Ended
-    from birdcage.station.ring import NoAnswer, NobodyThere, ring
+    from birdcage.cli.app import EndedBySignal
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
 
     try:
-        return ring(owner, "stop", BY)
+        return call_owner(owner, "stop", BY)
     except NoAnswer as error:
         return {"by": BY, "means": "none", "confirmed": False, "sentence": f"{error}: cut the power of the dish."}
-    except NobodyThere:
+    except OwnerGone:
         return None
     except KeyboardInterrupt:
-        ended = Ended(signal.SIGINT)
+        ended = EndedBySignal(signal.SIGINT)
         ended.add_note(
             f"Process {owner.pid} was told to stop the dish. What came of it is not known: look at the dish."
         )

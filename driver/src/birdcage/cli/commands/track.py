@@ -91,9 +91,9 @@ def command(
     if engage:
         from birdcage.base.clock import RealClock, ScaledClock
         from birdcage.cli.dish import open_dish
-        from birdcage.cli.track_run import Order, follow
+        from birdcage.cli.track_run import TrackOrder, follow
 
-        order = Order(text, meant, observer, controller, time_offset_s, freq_hz, until or "los", flags().json)
+        order = TrackOrder(text, meant, observer, controller, time_offset_s, freq_hz, until or "los", flags().json)
         with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
             follow(dish, wants, order)
         return

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from birdcage.protocol.carryout.dialect import NVS
 from birdcage.protocol.carryout.going import EL_MAX_ROW, EL_SPAN_DEG, HIGHEST_EL_DEG
 from birdcage.protocol.nvs import row_label
-from birdcage.rotator.feature import Cost, Feature, Kind, Range, Value
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.feature import Cost, Feature, FeatureKind, Range, Value
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
     from birdcage.protocol.carryout.protocol import CarryoutProtocol
@@ -20,9 +20,9 @@ def _ceiling(dish: CarryoutProtocol) -> dict[str, Value]:
 
 
 FEATURES = FeatureTable(
-    Row(
+    FeatureRow(
         Feature(
-            "ceiling", f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", Kind.NUMBER,
+            "ceiling", f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", FeatureKind.NUMBER,
             Range(EL_SPAN_DEG[0], HIGHEST_EL_DEG), cost=Cost(1, NVS),
         ),
         _ceiling,

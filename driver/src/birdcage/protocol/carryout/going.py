@@ -20,7 +20,7 @@ _ROW = r"^\D*\b{}\b[^\w\s]*"
 _NUMBER = re.compile(r"(?:^|(?<=[\s=:]))(\d+(?:\.\d+)?)(?=\s|$)")
 
 
-class Answer(Enum):
+class GotoAnswer(Enum):
     """What the reply to a go-to tells."""
 
     MOVING = "moving"
@@ -42,7 +42,7 @@ def go_line(az_deg: float, el_deg: float) -> str:
     return f"g {az_deg:.2f} {el_deg:.2f}"
 
 
-def judge_go(lines: Iterable[str]) -> tuple[Answer, LiveRecord | None]:
+def judge_go(lines: Iterable[str]) -> tuple[GotoAnswer, LiveRecord | None]:
     """Return what the lines of a reply to `go_line` tell, and the last record among them.
 
     A refusal among records counts as a refusal: it may be that of a second go-to.
@@ -53,8 +53,8 @@ def judge_go(lines: Iterable[str]) -> tuple[Answer, LiveRecord | None]:
         for record in reader.feed_line(line):
             last = record
     if refused:
-        return Answer.REFUSED, last
-    return (Answer.NOTHING if last is None else Answer.MOVING), last
+        return GotoAnswer.REFUSED, last
+    return (GotoAnswer.NOTHING if last is None else GotoAnswer.MOVING), last
 
 
 def refusal_of(line: str) -> str | None:

@@ -10,7 +10,7 @@ from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, Role
-from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
+from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
@@ -30,7 +30,7 @@ CARRYOUT_2003 = Facts(
         Axis("elevation", Role.EL, *EL_SPAN_DEG, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG),
     ),
     cable=None,
-    turn=Turn.UNKNOWN,
+    turn=CableTurn.UNKNOWN,
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(

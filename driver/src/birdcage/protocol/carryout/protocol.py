@@ -12,7 +12,7 @@ from birdcage.console.raw import Typed
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import DIALECT, NVS, TARGET
 from birdcage.protocol.carryout.features import FEATURES
-from birdcage.protocol.carryout.going import EL_MAX_ROW, Answer, ceiling_of, go_line, judge_go
+from birdcage.protocol.carryout.going import EL_MAX_ROW, GotoAnswer, ceiling_of, go_line, judge_go
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.carryout.records import RecordReader
@@ -138,7 +138,7 @@ class CarryoutProtocol(FirmwareProtocol):
         if slew.reply is not None:
             answer, _last = judge_go(slew.reply.lines)
             refusal = self.console.refusal(slew.reply)
-            if answer is Answer.REFUSED and refusal is not None:
+            if answer is GotoAnswer.REFUSED and refusal is not None:
                 raise refusal
         return True
 

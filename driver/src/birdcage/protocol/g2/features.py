@@ -17,13 +17,13 @@ from birdcage.rotator.feature import (
     VERSION,
     Cost,
     Feature,
-    Kind,
+    FeatureKind,
     Range,
     Value,
     Writer,
     speed_of,
 )
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
     from birdcage.protocol.g2.protocol import CarryoutG2Protocol
@@ -42,7 +42,7 @@ def _identity(dish: CarryoutG2Protocol) -> dict[str, Value]:
     return {name: fields[field] for name, field in _IDENTITY.items() if field in fields}
 
 
-def _angle(name: str, label: str, index: int) -> Row:
+def _angle(name: str, label: str, index: int) -> FeatureRow:
     """Return the row of an elevation that a setting holds."""
 
     def read(dish: CarryoutG2Protocol) -> dict[str, Value]:
@@ -52,21 +52,21 @@ def _angle(name: str, label: str, index: int) -> Row:
         return {name: float(row.value)}
 
     label = f"{label} ({row_label(index)})"
-    return Row(Feature(name, label, "deg", Kind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, "nvs")), read)
+    return FeatureRow(Feature(name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, "nvs")), read)
 
 
 def _named(speeds: Mapping[int, float]) -> dict[str, Value]:
     return {speed_of(axis): speed for axis, speed in by_name(speeds).items()}
 
 
-def _speed(axis: Axis) -> Row:
+def _speed(axis: Axis) -> FeatureRow:
     """Return the row of the greatest speed of an axis."""
     feature = Feature(
-        speed_of(axis.name), f"Greatest {axis.name} speed", "deg/s", Kind.NUMBER,
+        speed_of(axis.name), f"Greatest {axis.name} speed", "deg/s", FeatureKind.NUMBER,
         Range(axis.step_deg, axis.speed_deg_s), Writer.UNTIL_RESTART, cost=Cost(2, "step"),
     )  # fmt: skip
     motor = MOTORS[axis.name]
-    return Row(feature, _speeds, lambda dish, value: _named(dish.set_speed(motor, float(value))))
+    return FeatureRow(feature, _speeds, lambda dish, value: _named(dish.set_speed(motor, float(value))))
 
 
 def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
@@ -84,34 +84,35 @@ def _set_tv_search(dish: CarryoutG2Protocol, on: Value) -> dict[str, Value]:
 def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
     """Return the table of a G2 with these axes."""
     return FeatureTable(
-        Row(
-            Feature(RSSI, "Signal strength", "counts", Kind.NUMBER, Range(0.0, math.inf), cost=Cost(1, "dvb")),
+        FeatureRow(
+            Feature(RSSI, "Signal strength", "counts", FeatureKind.NUMBER, Range(0.0, math.inf), cost=Cost(1, "dvb")),
             lambda dish: {RSSI: float(dish.get_rssi(RSSI_READS).average)},
         ),
-        Row(
+        FeatureRow(
             Feature("snr", "Signal-to-noise ratio", "dB", cost=Cost(2, "dvb", 5.0)),
             lambda dish: {"snr": dish.tuner.snr_db()},
         ),
-        Row(
-            Feature("lnb_supply", "Supply of the LNB", "V", Kind.NUMBER, Range(0.0, 30.0), cost=Cost(2, "dvb", 5.0)),
+        FeatureRow(
+            Feature("lnb_supply", "Supply of the LNB", "V", FeatureKind.NUMBER, Range(0.0, 30.0), cost=Cost(2, "dvb",
+            5.0)),
             lambda dish: {"lnb_supply": dish.tuner.lnb_volts()},
         ),
         _speed(azimuth),
         _speed(elevation),
-        Row(Feature(VERSION, "Firmware version", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
-        Row(Feature("antenna_id", "Antenna ID", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
-        Row(Feature("system_id", "System ID", "", Kind.TEXT, cost=Cost(1, "os")), _identity),
+        FeatureRow(Feature(VERSION, "Firmware version", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
+        FeatureRow(Feature("antenna_id", "Antenna ID", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
+        FeatureRow(Feature("system_id", "System ID", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
         _angle("floor", "Lowest elevation", MIN_ELEVATION),
         _angle("ceiling", "Highest elevation", MAX_ELEVATION),
-        Row(
+        FeatureRow(
             Feature(
-                TV_SEARCH, "TV search at power-up", "", Kind.SWITCH, None, Writer.FROM_POWER_UP, _SEARCH_HAZARD,
+                TV_SEARCH, "TV search at power-up", "", FeatureKind.SWITCH, None, Writer.FROM_POWER_UP, _SEARCH_HAZARD,
                 Cost(4, "nvs"),
             ),
             _tv_search, _set_tv_search,
         ),
-        Row(
-            Feature(SETTINGS, "All settings (NVS)", "", Kind.LINES, cost=Cost(1, "nvs")),
+        FeatureRow(
+            Feature(SETTINGS, "All settings (NVS)", "", FeatureKind.LINES, cost=Cost(1, "nvs")),
             lambda dish: {SETTINGS: "\n".join(dish.settings_table())},
         ),
     )  # fmt: skip

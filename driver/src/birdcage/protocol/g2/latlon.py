@@ -17,7 +17,7 @@ _ENTERED = re.compile(rf"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+
 
 
 @dataclass(frozen=True, slots=True)
-class Place:
+class LatLonAnswer:
     """Where the dish takes itself to be; `angles_deg` are the four that it took, None when it did not say."""
 
     lat_deg: float
@@ -30,7 +30,7 @@ class LatLon(Room):
 
     menu: ClassVar[str] = "latlon"
 
-    def triangulate(self, p1: float, p2: float, p3: float, p4: float) -> Place:
+    def triangulate(self, p1: float, p2: float, p3: float, p4: float) -> LatLonAnswer:
         """Send four angles in degrees (`l`) and return the place.
 
         What the four are is not certain: azimuth and elevation of one satellite, then of the other, most likely.
@@ -44,4 +44,4 @@ class LatLon(Room):
             abs(took - gave) > _ROUNDING_DEG for took, gave in zip(angles, sent, strict=True)
         ):
             raise CommandRefused(f"Of `{reply.command}` the dish took the angles {angles}.", reason="bad_parameter")
-        return Place(int(place[1]) / 100.0, int(place[2]) / 100.0, angles)
+        return LatLonAnswer(int(place[1]) / 100.0, int(place[2]) / 100.0, angles)

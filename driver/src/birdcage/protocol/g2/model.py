@@ -14,7 +14,16 @@ from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.g2.features import features_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, Role
-from birdcage.rotator.facts import Facts, Handling, Readback, SearchSetting, SearchSwitch, SecondMove, Setting, Turn
+from birdcage.rotator.facts import (
+    CableTurn,
+    Facts,
+    Handling,
+    Readback,
+    SearchSetting,
+    SearchSwitch,
+    SecondMove,
+    Setting,
+)
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
@@ -32,7 +41,7 @@ CARRYOUT_G2 = Facts(
     baud=115200,
     axes=(AZIMUTH, ELEVATION),
     cable=CableRange(-423.33, 23.33),
-    turn=Turn.UNKNOWN,
+    turn=CableTurn.UNKNOWN,
     second_same=SecondMove.UNKNOWN,
     second_other=SecondMove.UNKNOWN,
     stop_ladder=(

@@ -14,7 +14,7 @@ class StepCounts:
 
 
 @dataclass(frozen=True, slots=True)
-class Speeds:
+class MotorSpeeds:
     """Speeds, or the greatest ones; None for one whose unit is not certain."""
 
     az_deg_s: float | None

@@ -13,7 +13,7 @@ import re
 from typing import ClassVar
 
 from birdcage.protocol.g2.gains import read_gains
-from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, Speeds, StepCounts
+from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, MotorSpeeds, StepCounts
 from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, search
 from birdcage.protocol.g2.room import Room
 from birdcage.protocol.unhomed import is_unhomed
@@ -53,15 +53,15 @@ class Motors(Room):
             raise garbage(reply)
         return StepCounts(*(None if is_unhomed(int(text)) else int(text) for text in (raw.azimuth, raw.elevation)))
 
-    def velocities(self) -> Speeds:
+    def velocities(self) -> MotorSpeeds:
         """Read how fast the axes turn now (`v`)."""
         raw = by_motor(self._run("v"))
-        return Speeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+        return MotorSpeeds(_degrees(raw.azimuth), _degrees(raw.elevation))
 
-    def max_velocities(self) -> Speeds:
+    def max_velocities(self) -> MotorSpeeds:
         """Read the greatest speeds (`mv`); those of `stepper`, in microsteps, are quoted with numbers."""
         raw = by_motor(self._run("mv"))
-        return Speeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+        return MotorSpeeds(_degrees(raw.azimuth), _degrees(raw.elevation))
 
     def max_accelerations(self) -> Accelerations:
         """Read the greatest accelerations (`ma`)."""

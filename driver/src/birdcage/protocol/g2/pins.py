@@ -28,7 +28,7 @@ class PinStates:
 
 
 @dataclass(frozen=True, slots=True)
-class Dipswitch:
+class DipSwitches:
     """The DIP switches: the pins as they stand, and the satellites that the firmware makes of them."""
 
     raw: int
@@ -79,10 +79,10 @@ class Dipswitches(Room):
 
     menu: ClassVar[str] = "dipswitch"
 
-    def read(self) -> Dipswitch:
+    def read(self) -> DipSwitches:
         """Read `dipswitch`."""
         reply = self._run("dipswitch")
-        return Dipswitch(int(find(reply, _RAW)[1], 16), int(find(reply, _CODE)[1]))
+        return DipSwitches(int(find(reply, _RAW)[1], 16), int(find(reply, _CODE)[1]))
 
 
 def _checked(pin: str) -> str:

@@ -13,9 +13,9 @@ from birdcage.console.events import Reply
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
+from birdcage.protocol.g2.menus import G2Menus
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT, FEATURES
 from birdcage.protocol.g2.motor_values import HomingReport
-from birdcage.protocol.g2.rooms import Rooms
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
@@ -46,7 +46,7 @@ def _is_told(printed: str, degrees: float, *, turns: bool) -> bool:
     return abs(off_deg) <= max(10.0**-places, 0.01) + 0.001
 
 
-class CarryoutG2Protocol(Rooms):
+class CarryoutG2Protocol(G2Menus):
     """The Carryout G2's console: prompts `TRK>`, `MOT>`, `DVB>`, …; homing and TV search switched by NVS 20."""
 
     name: ClassVar[str] = "g2"

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from birdcage.protocol.generic import end_tv_search
 from birdcage.protocol.hal.dialect import NVS, SEARCH
 from birdcage.protocol.nvs import row_label
-from birdcage.rotator.feature import SETTINGS, Cost, Feature, Kind, Range, Value
-from birdcage.rotator.feature_table import FeatureTable, Row
+from birdcage.rotator.feature import SETTINGS, Cost, Feature, FeatureKind, Range, Value
+from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
     from birdcage.protocol.hal.protocol import HAL205Protocol
@@ -27,17 +27,19 @@ def _angle(name: str, index: int) -> Callable[[HAL205Protocol], dict[str, Value]
     return read
 
 
-def _lowest(name: str, what: str, index: int) -> Row:
+def _lowest(name: str, what: str, index: int) -> FeatureRow:
     label = f"Lowest elevation{what} ({row_label(index)})"
-    return Row(Feature(name, label, "deg", Kind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS)), _angle(name, index))
+    return FeatureRow(
+        Feature(name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS)), _angle(name, index)
+    )
 
 
 FEATURES = FeatureTable(
     _lowest("floor", "", SAFE_MINIMUM),
     _lowest("floor.search", " of its TV search", SEARCH_MINIMUM),
     end_tv_search(lines=1, menu=SEARCH),
-    Row(
-        Feature(SETTINGS, "All settings (NVS)", "", Kind.LINES, cost=Cost(1, NVS)),
+    FeatureRow(
+        Feature(SETTINGS, "All settings (NVS)", "", FeatureKind.LINES, cost=Cost(1, NVS)),
         lambda dish: {SETTINGS: "\n".join(dish.settings_table())},
     ),
 )

@@ -7,7 +7,7 @@ from birdcage.protocol import plugs
 from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
-from birdcage.rotator.facts import Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew, Turn
+from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
 
@@ -50,7 +50,7 @@ TRAVLER = Facts(
         SKEW,
     ),
     cable=CableRange(0.0, 455.0),
-    turn=Turn.UNKNOWN,
+    turn=CableTurn.UNKNOWN,
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(

@@ -7,7 +7,7 @@ from concurrent.futures import Future
 from typing import ClassVar
 
 from birdcage.base.errors import BirdcageError, Held
-from birdcage.setup.bench import Bench
+from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice, Mark, StepView
 from birdcage.station.requests import AcknowledgeFault, Release
 
@@ -25,7 +25,7 @@ class Step:
     title: ClassVar[str]
     page: ClassVar[str] = ""
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(self, bench: SetupContext) -> None:
         self.bench = bench
         self.failure = ""
         """Why the last try did not work."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.setup.bench import Bench
+from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice
 from birdcage.station.known import list_models
 
@@ -11,7 +11,7 @@ OTHER = "firmware-"
 KEYS = ("f", "h", "e")
 
 
-def other_firmwares(bench: Bench, *, likely: bool = False, heard: str = "") -> tuple[Choice, ...]:
+def other_firmwares(bench: SetupContext, *, likely: bool = False, heard: str = "") -> tuple[Choice, ...]:
     """Return a choice for each firmware that is known and not spoken now, the one that was `heard` first.
 
     Those follow that tell where they point. `likely` makes Enter take the first.
@@ -25,7 +25,7 @@ def other_firmwares(bench: Bench, *, likely: bool = False, heard: str = "") -> t
     )
 
 
-def speak_another(bench: Bench, choice: str) -> None:
+def speak_another(bench: SetupContext, choice: str) -> None:
     """Keep the firmware of that choice, at its own rate. The session has to begin anew to speak it."""
     firmware = choice.removeprefix(OTHER)
     bench.write({"dish.firmware": firmware, "dish.baud": None})

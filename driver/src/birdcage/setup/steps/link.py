@@ -8,16 +8,16 @@ from pathlib import Path
 from birdcage.base.config.edit import Value
 from birdcage.detection.detecting import heard_firmware
 from birdcage.detection.probe import BaudFinding, Saw
-from birdcage.setup.bench import Bench
 from birdcage.setup.case import Case, Cause, describe
 from birdcage.setup.causes import find_causes
+from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 from birdcage.setup.wiring import FOUR_WIRES
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import Connect, ProbePort
-from birdcage.station.state import Activity, Link
+from birdcage.station.state import Activity, LinkPhase
 
 LIST_S = 2.0
 """How often the ports of the machine are listed, in seconds, while this step waits."""
@@ -42,12 +42,12 @@ class LinkStep(Step):
     title = "Link"
     page = "console"
 
-    def __init__(self, bench: Bench) -> None:
+    def __init__(self, bench: SetupContext) -> None:
         super().__init__(bench)
         self._ports: list[PortInfo] = []
         self._listed_at = 0.0
         self._system: SystemFacts | None = None
-        self._looked_at: tuple[str, Link] | None = None
+        self._looked_at: tuple[str, LinkPhase] | None = None
         self._baud: int | None = None
         """The speed that was asked for here last; None before."""
         self.findings: tuple[BaudFinding, ...] = ()
@@ -57,9 +57,9 @@ class LinkStep(Step):
     def mark(self) -> Mark:
         """Whether it answers now; as kept while it is being opened."""
         link, kept = self.bench.state.link.state, self.bench.kept(self.name)
-        if kept is not None and kept.skipped and link is not Link.UP:
+        if kept is not None and kept.skipped and link is not LinkPhase.UP:
             return Mark.SKIPPED
-        if self.bench.state.port and link in (Link.SILENT, Link.LOST) and not self.busy and not self._boots:
+        if self.bench.state.port and link in (LinkPhase.SILENT, LinkPhase.LOST) and not self.busy and not self._boots:
             return Mark.FAILED
         return super().mark
 
@@ -71,7 +71,7 @@ class LinkStep(Step):
     def _another(self) -> bool:
         """Whether the console that answers contradicts the firmware that is spoken."""
         link = self.bench.state.link
-        return link.state is Link.SILENT and link.reason in CONTRADICTIONS
+        return link.state is LinkPhase.SILENT and link.reason in CONTRADICTIONS
 
     @property
     def _rate(self) -> int:
@@ -85,15 +85,15 @@ class LinkStep(Step):
         state = self.bench.state
         if self._boots:
             return f"the dish is starting: {state.activity_text}"
-        if state.link.state is Link.UP:
+        if state.link.state is LinkPhase.UP:
             return self._live()
         if self._another:
             return state.link.detail
-        if state.link.state is Link.SILENT:
+        if state.link.state is LinkPhase.SILENT:
             return f"{_short(state.port)} opens. No dish answers{f' at {self._rate} baud' if self._rate else ''}."
         if not state.port:
             return "No port set."
-        if state.link.state in (Link.LOST, Link.OPENING):
+        if state.link.state in (LinkPhase.LOST, LinkPhase.OPENING):
             return state.link.detail
         return super().evidence()
 
@@ -119,7 +119,7 @@ class LinkStep(Step):
     def words(self) -> tuple[str, ...]:
         """Say what to do, and what was seen."""
         state = self.bench.state
-        if state.link.state is Link.UP:
+        if state.link.state is LinkPhase.UP:
             return (f"A dish answers on {_short(state.port)}.",)
         if self._another:
             return ("The wires are right. A dish answers, but not the one you chose. Say which.",)
@@ -129,7 +129,7 @@ class LinkStep(Step):
             words = []
         if self.busy:
             words = ["Nothing moves by this."]
-        elif state.link.state is Link.SILENT:
+        elif state.link.state is LinkPhase.SILENT:
             words = ["The port opens, but no dish answers. Listen at other speeds, or choose another port."]
             if self._heard:
                 words = [f"A dish was heard at {self._answering()} baud, but not the one you chose."]
@@ -148,7 +148,7 @@ class LinkStep(Step):
     def causes(self) -> tuple[Cause, ...]:
         """Return what may be wrong, likeliest first; empty while the dish answers or boots."""
         state = self.bench.state
-        if state.link.state not in (Link.SILENT, Link.LOST) or self._boots or self._another:
+        if state.link.state not in (LinkPhase.SILENT, LinkPhase.LOST) or self._boots or self._another:
             return ()
         if not state.port:
             return ()  # nothing was tried, so nothing was seen
@@ -165,7 +165,7 @@ class LinkStep(Step):
         """Keep, connect, look at other speeds, or another port."""
         state, choices = self.bench.state, []
         answering = self._answering()
-        if state.link.state is Link.UP:
+        if state.link.state is LinkPhase.UP:
             choices.append(Choice("keep", "enter", "Use this port"))
         elif answering is not None:
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
@@ -174,14 +174,14 @@ class LinkStep(Step):
         if self._heard:
             choices = [*other_firmwares(self.bench, likely=True, heard=self._heard),
                        Choice("connect", "c", f"Connect at {answering} baud all the same")]  # fmt: skip
-        if state.link.state is Link.SILENT:
+        if state.link.state is LinkPhase.SILENT:
             again = " again" if self.findings and answering is None else ""
             probe_key = "enter" if answering is None else "p"
             choices.append(Choice("probe", probe_key, f"Listen at other speeds{again}"))
         for key, info in enumerate(self._ports[:MOST_PORTS], 1):
             maker = "" if info.vid_pid is None else f", {_MAKERS.get(info.vid_pid[:4], info.description or '')}"
             choices.append(Choice(f"port-{key}", str(key), f"{info.device}{maker}"))
-        if state.link.state is Link.SILENT and not self._heard:
+        if state.link.state is LinkPhase.SILENT and not self._heard:
             choices += other_firmwares(self.bench)
         field = Field("port", "port", hint="/dev/ttyUSB0, COM4, socket://host:port", value=state.port)
         baud = Field("baud", "speed", "baud", "empty: the firmware's own")
@@ -199,7 +199,7 @@ class LinkStep(Step):
     def _heard(self) -> str:
         """Return the firmware that was heard, where it is not the one that is spoken; else empty."""
         state, at = self.bench.state, self._answering()
-        if state.link.state is not Link.SILENT or state.dish is None:
+        if state.link.state is not LinkPhase.SILENT or state.dish is None:
             return ""
         heard = next((heard_firmware(each, state.port) for each in self.findings if each.baud == at), None)
         return "" if heard in (None, state.dish.firmware) else str(heard)
@@ -238,7 +238,7 @@ class LinkStep(Step):
         while not self.bench.is_up:
             # A dish that boots has its own time; the station follows its text.
             over = self.bench.now > deadline and not self._boots
-            if over or self.bench.state.link.state is Link.LOST:
+            if over or self.bench.state.link.state is LinkPhase.LOST:
                 return  # the mark and the evidence say so, for as long as it is so
             yield None
         self._keep()
@@ -259,7 +259,7 @@ class LinkStep(Step):
         assert isinstance(found, tuple), "the station resolves it with findings"
         self.findings = found
         deadline = self.bench.now + ANSWER_S
-        while self.bench.state.link.state is Link.OPENING and self.bench.now < deadline:
+        while self.bench.state.link.state is LinkPhase.OPENING and self.bench.now < deadline:
             yield None  # the station tries the present speed again
 
     def look(self) -> None:
@@ -269,7 +269,7 @@ class LinkStep(Step):
         self._looked_at = state.port, state.link.state
         if changed or (not self.bench.is_up and self.bench.now - self._listed_at >= LIST_S):
             self._list()
-        if changed and state.link.state in (Link.SILENT, Link.LOST):
+        if changed and state.link.state in (LinkPhase.SILENT, LinkPhase.LOST):
             self._system = self.bench.system(state.port) if state.port else None
 
     def _list(self) -> None:

@@ -9,14 +9,14 @@ from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.station.known import SearchSetting, SearchSwitch
 from birdcage.station.requests import Connect, SetSearch
-from birdcage.station.state import Activity, Search
+from birdcage.station.state import Activity, TvSearch
 
 _AT_ONCE = {
-    Search.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
-    Search.RUNNING: "runs, and moves the dish by itself",
-    Search.OFF: "off",
-    Search.NONE: "none",
-    Search.UNKNOWN: "unknown whether it runs",
+    TvSearch.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
+    TvSearch.RUNNING: "runs, and moves the dish by itself",
+    TvSearch.OFF: "off",
+    TvSearch.NONE: "none",
+    TvSearch.UNKNOWN: "unknown whether it runs",
 }
 """What is known of a search that no setting switches off."""
 
@@ -83,12 +83,12 @@ class SearchStep(Step):
             kept = self.bench.kept(self.name)
             return True if kept is not None and kept.done else None
         if self._at_once:
-            return state.search is Search.OFF_UNTIL_POWER_UP if self.bench.is_up else None
+            return state.search is TvSearch.OFF_UNTIL_POWER_UP if self.bench.is_up else None
         if self.written:
             return False
         if not self.bench.is_up or self._value is None:
             return None
-        return state.search is Search.OFF
+        return state.search is TvSearch.OFF
 
     def evidence(self) -> str:
         """Say what the dish says, and where the backup is."""
@@ -187,7 +187,7 @@ class SearchStep(Step):
     def _end_now(self) -> Plan:
         yield from self.release_after_restart()  # its search may be what moved it
         yield self.bench.ask(SetSearch(self.bench.holder, disabled=True))
-        self.bench.done(self.name, _AT_ONCE[Search.OFF_UNTIL_POWER_UP])
+        self.bench.done(self.name, _AT_ONCE[TvSearch.OFF_UNTIL_POWER_UP])
 
     def _off(self) -> Plan:
         yield from self.release_after_restart()  # its search may be what moved it
@@ -223,4 +223,4 @@ class SearchStep(Step):
 
     def _off_now(self) -> bool:
         state = self.bench.state
-        return self.bench.is_up and state.search is Search.OFF and self._value is not None
+        return self.bench.is_up and state.search is TvSearch.OFF and self._value is not None

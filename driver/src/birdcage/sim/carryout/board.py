@@ -5,23 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from birdcage.sim.axis import STALL_DWELL_S, Axis
+from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
 from birdcage.sim.carryout.drive import Drive, Records
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.carryout.mechanics import CarryoutDish
-from birdcage.sim.carryout.memory import EL_MAX, Memory
-from birdcage.sim.firmware import Host
+from birdcage.sim.carryout.memory import EL_MAX, CarryoutMemory
+from birdcage.sim.firmware import FirmwareHost
 
 
-class Board:
+class CarryoutBoard:
     """The processor board, as far as its console shows it."""
 
-    def __init__(self, settings: CarryoutSettings, host: Host, dish: CarryoutDish) -> None:
+    def __init__(self, settings: CarryoutSettings, host: FirmwareHost, dish: CarryoutDish) -> None:
         self.settings = settings
         self.host = host
         self.machine = host.machine
         self.dish = dish
-        self.memory = Memory(settings)
+        self.memory = CarryoutMemory(settings)
         self.drive = Drive(settings, host.machine, dish)
         self.records = Records(settings, host.machine, dish, self.drive, host.say)
         for axis in dish.axes:
@@ -57,7 +57,7 @@ class Board:
         if text:
             self.host.say(f"{text}\n")
 
-    def _strikes(self, axis: Axis) -> Callable[[float], None]:
+    def _strikes(self, axis: AxisMechanics) -> Callable[[float], None]:
         """Make what is called when a motion is ordered that will run into a stop."""
 
         def strikes(when_s: float) -> None:

@@ -5,8 +5,8 @@ Both are written, what it prints is assumed: `docs/reference/carryout-2003.md`, 
 
 from __future__ import annotations
 
-from birdcage.sim.carryout.board import Board
-from birdcage.sim.carryout.search import Search
+from birdcage.sim.carryout.board import CarryoutBoard
+from birdcage.sim.carryout.search import CarryoutSearch
 from birdcage.sim.shell import Pause, Script
 
 START_S = 1.0
@@ -14,7 +14,7 @@ LINE_S = 5.0
 """A motor that homes is told of this often."""
 
 
-def boot_log(board: Board, search: Search, *, home: bool) -> Script:
+def boot_log(board: CarryoutBoard, search: CarryoutSearch, *, home: bool) -> Script:
     """Home both axes and begin the search; neither where tracking is disabled (written), or without `home`."""
     yield from _line(board, "HandEra HAL 1.00.065")
     yield Pause(START_S)
@@ -26,7 +26,7 @@ def boot_log(board: Board, search: Search, *, home: bool) -> Script:
         search.start()
 
 
-def _home(board: Board, index: int) -> Script:
+def _home(board: CarryoutBoard, index: int) -> Script:
     axis = board.dish.axes[index]
     end_s = max(board.now_s + board.settings.boot_home_s / 2.0, axis.home(board.now_s))
     while board.now_s < end_s - 1e-6:
@@ -36,6 +36,6 @@ def _home(board: Board, index: int) -> Script:
         axis.halt(board.now_s)
 
 
-def _line(board: Board, text: str) -> Script:
+def _line(board: CarryoutBoard, text: str) -> Script:
     if board.settings.boot_text:
         yield f"{text}\n"

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.carryout.mechanics import CarryoutDish
 from birdcage.sim.machine import Machine
 
 TOUCH_S = 1e-6
 """A motor that stops within this has stopped: dish time is rounded on its way through the timetable."""
-Leg = dict[Axis, float]
+Leg = dict[AxisMechanics, float]
 """Axes that turn together, and the angle of its own count that each goes to."""
 
 

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.carryout.board import Board
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.carryout.board import CarryoutBoard
 from birdcage.sim.carryout.boot import boot_log
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.carryout.mechanics import CarryoutDish
-from birdcage.sim.carryout.menus import CarryoutMenu, Nvs, Os, Root
-from birdcage.sim.carryout.search import Search
-from birdcage.sim.carryout.target import Target
-from birdcage.sim.firmware import Host
+from birdcage.sim.carryout.menus import CarryoutMenu, CarryoutNvsMenu, CarryoutRootMenu, OsMenu
+from birdcage.sim.carryout.search import CarryoutSearch
+from birdcage.sim.carryout.target import TargetMenu
+from birdcage.sim.firmware import FirmwareHost
 from birdcage.sim.shell import Menu, Script
 
 
@@ -20,18 +20,18 @@ class CarryoutFirmware:
     baud = 57600
     """`docs/reference/carryout-2003.md`, *Line*."""
 
-    def __init__(self, settings: CarryoutSettings, host: Host) -> None:
+    def __init__(self, settings: CarryoutSettings, host: FirmwareHost) -> None:
         self.dish = CarryoutDish(settings, host.truth)
-        self.board = Board(settings, host, self.dish)
-        self.search = Search(self.board)
+        self.board = CarryoutBoard(settings, host, self.dish)
+        self.search = CarryoutSearch(self.board)
         own = (word for word in settings.motor_help.split(",") if word)
         self.menus: dict[str, Menu] = {
-            "root": Root(self.board),
-            "target": Target(self.board, self.search),
+            "root": CarryoutRootMenu(self.board),
+            "target": TargetMenu(self.board, self.search),
             "motor": CarryoutMenu(self.board, "motor", *own),
             "dvb": CarryoutMenu(self.board, "dvb"),
-            "os": Os(self.board, self.search),
-            "nvs": Nvs(self.board),
+            "os": OsMenu(self.board, self.search),
+            "nvs": CarryoutNvsMenu(self.board),
         }
 
     def resume(self) -> None:
@@ -50,6 +50,6 @@ class CarryoutFirmware:
         self.board.memory.power_on()
         return boot_log(self.board, self.search, home=home)
 
-    def stalled(self, axis: Axis) -> None:  # noqa: ARG002
+    def stalled(self, axis: AxisMechanics) -> None:  # noqa: ARG002
         """Say so (setting `stall_text`)."""
         self.board.stalled()

@@ -12,16 +12,16 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 
 @dataclass(frozen=True, slots=True)
-class CarryoutSettings(Settings):
+class CarryoutSettings(SimSettings):
     """The knobs of one simulated Carryout of 2003. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "carryout"
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
-        **Settings.choices,
+        **SimSettings.choices,
         "prompts": ("named", "alike"),
         "second_move": ("retarget", "queue", "block", "refuse", "abort"),
         "prompt_when": ("at_rest", "at_once"),

@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.axis import Axis, AxisData
+from birdcage.sim.axis import AxisData, AxisMechanics
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.chance import seeded
-from birdcage.sim.dish import Dish, Truth
+from birdcage.sim.dish import DishMechanics, DishTruth
 
 STEPS = 36000
 """Records have a resolution of 0.01 degrees (`docs/reference/carryout-2003.md`, *Moving*)."""
@@ -24,10 +24,10 @@ HOMING_SHARE = 0.35
 """How much of the time for homing one axis takes for the way from one end to the other and back."""
 
 
-class CarryoutDish(Dish):
+class CarryoutDish(DishMechanics):
     """Azimuth and elevation. Whether both move at once is the firmware's affair."""
 
-    def __init__(self, settings: CarryoutSettings, look: Callable[[], Truth]) -> None:
+    def __init__(self, settings: CarryoutSettings, look: Callable[[], DishTruth]) -> None:
         self._settings = settings
         self._turn_deg = float(settings.wrap)
         rng = seeded("mechanics", settings.seed)
@@ -41,7 +41,7 @@ class CarryoutDish(Dish):
                 name, STEPS, settings.speed, settings.accel, low, high, low, home, 2.0 * (high - low) / share_s,
                 HOMING_TIMEOUT_S, overshoot=settings.overshoot, backlash_deg=settings.backlash,
             )  # fmt: skip
-            axes.append(Axis(data, place, rng))
+            axes.append(AxisMechanics(data, place, rng))
             axes[-1].homed = not unknown
         super().__init__(tuple(axes), look)
 

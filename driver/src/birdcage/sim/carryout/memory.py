@@ -11,20 +11,23 @@ EL_MAX = 102
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class CarryoutSetting:
     """One setting: what it is called (assumed), and the factory's value."""
 
     name: str
     default: float
 
 
-class Memory:
+class CarryoutMemory:
     """RAM and flash. `active` is what the firmware goes by (setting `nvs_applies`)."""
 
     def __init__(self, settings: CarryoutSettings) -> None:
         self._applies = settings.nvs_applies
         self._tracking = settings.tracking_row
-        self.rows = {self._tracking: Row("Disable Tracking", 0.0), EL_MAX: Row("Maximum EL", settings.el_max)}
+        self.rows = {
+            self._tracking: CarryoutSetting("Disable Tracking", 0.0),
+            EL_MAX: CarryoutSetting("Maximum EL", settings.el_max),
+        }
         self.flash = {index: row.default for index, row in self.rows.items()}
         self.power_on()
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.carryout.board import Board, number
-from birdcage.sim.carryout.search import Search
+from birdcage.sim.carryout.board import CarryoutBoard, number
+from birdcage.sim.carryout.search import CarryoutSearch
 from birdcage.sim.shell import Die, Enter, Pause, Script
 
 Command = Callable[[list[str]], Script]
@@ -20,7 +20,7 @@ SAVE_S = 0.5
 class CarryoutMenu:
     """One menu: its help, leaving it, and words it does not know. `motor` and `dvb` have no command that is known."""
 
-    def __init__(self, board: Board, name: str, *lists: str) -> None:
+    def __init__(self, board: CarryoutBoard, name: str, *lists: str) -> None:
         self.board = board
         settings = board.settings
         own = "TRK>" if name == "root" else f"{name.upper()}>"
@@ -48,10 +48,10 @@ class CarryoutMenu:
         yield Enter("root")
 
 
-class Root(CarryoutMenu):
+class CarryoutRootMenu(CarryoutMenu):
     """Enters submenus. What `q` does here is a setting."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: CarryoutBoard) -> None:
         super().__init__(board, "root", *SUBMENUS)
         self.commands |= {name: self._enters(name) for name in SUBMENUS}
 
@@ -68,10 +68,10 @@ class Root(CarryoutMenu):
             yield from self.unknown()
 
 
-class Os(CarryoutMenu):
+class OsMenu(CarryoutMenu):
     """Lists and quits processes (written); the two words are those of a Trav'ler (assumed)."""
 
-    def __init__(self, board: Board, search: Search) -> None:
+    def __init__(self, board: CarryoutBoard, search: CarryoutSearch) -> None:
         super().__init__(board, "os", "tasks", "kill <name>")
         self.commands |= {"tasks": self._tasks, "kill": self._kill}
         self._search = search
@@ -86,10 +86,10 @@ class Os(CarryoutMenu):
         self._search.stop()
 
 
-class Nvs(CarryoutMenu):
+class CarryoutNvsMenu(CarryoutMenu):
     """Shows, edits and saves settings: `d`, `d <i>`, `e <i>`, `e <i> <v>`, `s` (all but `d` written)."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: CarryoutBoard) -> None:
         super().__init__(board, "nvs", "d [<index>]", "e <index> [<value>]", "s")
         self.commands |= {"d": self._show, "e": self._edit, "s": self._save}
 

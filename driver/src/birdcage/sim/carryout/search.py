@@ -5,7 +5,7 @@ That it does is written, its path is assumed (`docs/reference/carryout-2003.md`,
 
 from __future__ import annotations
 
-from birdcage.sim.carryout.board import Board
+from birdcage.sim.carryout.board import CarryoutBoard
 
 EL_STEP_DEG = 5.0
 AZ_ENDS_DEG = 5.0, 355.0
@@ -13,10 +13,10 @@ SHORTEST_SWEEP_S = 5.0
 """A blocked motor is at its end at once: the search still takes its time."""
 
 
-class Search:
+class CarryoutSearch:
     """A step in elevation, a sweep in azimuth, and again a little higher. Nothing ticks: each sweep is foreseen."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: CarryoutBoard) -> None:
         self.running = False
         self._board = board
         self._run = 0

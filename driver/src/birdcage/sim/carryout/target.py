@@ -5,9 +5,9 @@
 
 from __future__ import annotations
 
-from birdcage.sim.carryout.board import Board, number
+from birdcage.sim.carryout.board import CarryoutBoard, number
 from birdcage.sim.carryout.menus import CarryoutMenu
-from birdcage.sim.carryout.search import Search
+from birdcage.sim.carryout.search import CarryoutSearch
 from birdcage.sim.shell import Die, Listen, Pause, Script
 
 EVERY_KEY = bytes(range(256))
@@ -15,10 +15,10 @@ LAST_RECORD_S = 0.001
 """How long after the last record the prompt comes (assumed)."""
 
 
-class Target(CarryoutMenu):
+class TargetMenu(CarryoutMenu):
     """Angles in degrees, whole or with decimals (written)."""
 
-    def __init__(self, board: Board, search: Search) -> None:
+    def __init__(self, board: CarryoutBoard, search: CarryoutSearch) -> None:
         super().__init__(board, "target", "g <az> <el>")
         self.commands["g"] = self._go
         self._search = search

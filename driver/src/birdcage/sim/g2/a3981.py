@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import Command, G2Menu
 from birdcage.sim.shell import Script
 
 
-class A3981(G2Menu):
+class A3981Menu(G2Menu):
     """Two Allegro A3981, one a motor."""
 
     prompt = "A3981>"
@@ -27,7 +27,7 @@ class A3981(G2Menu):
         "st - torque",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {
             "cm": self._each("CM", lambda _: board.settings.current_mode),

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.sweep import adc_scan
 from birdcage.sim.shell import Listen, Pause, Script
@@ -14,7 +14,7 @@ READ_S = 0.05
 MONITOR_S = 0.2
 
 
-class Adc(G2Menu):
+class AdcMenu(G2Menu):
     """Levels before the tuner."""
 
     prompt = "ADC>"
@@ -28,7 +28,7 @@ class Adc(G2Menu):
         "scan - Scan AZ with RSSI",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {
             "bdid": self._board_id,

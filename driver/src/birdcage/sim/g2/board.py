@@ -11,9 +11,9 @@ from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.mechanics import G2Dish
 from birdcage.sim.g2.nvram import AZ_GAINS, EL_GAINS, Nvram
 from birdcage.sim.g2.sleep import Sleep
-from birdcage.sim.g2.tuner import Tuner
+from birdcage.sim.g2.tuner import SimTuner
 from birdcage.sim.machine import Machine
-from birdcage.sim.sky import Sky
+from birdcage.sim.sky import SimSky
 from birdcage.sim.stance import Stance
 
 INT_MAX = 2147483647
@@ -23,7 +23,7 @@ ADC_NOISE_COUNTS = 1.5
 *Levels*)."""
 
 
-class Board:
+class G2Board:
     """The G2's processor board, as far as its console shows it."""
 
     def __init__(self, settings: G2Settings, machine: Machine, dish: G2Dish, reboot: Callable[[], None]) -> None:
@@ -34,9 +34,9 @@ class Board:
         """Start over, as the command `reboot` does; the running command never returns."""
         self.at_power_on: list[Callable[[], None]] = []
         """What forgets as well when the power goes: a menu that keeps something in RAM puts its own in here."""
-        self.sky = Sky(settings)
+        self.sky = SimSky(settings)
         self.stance = Stance(settings)
-        self.tuner = Tuner(self)
+        self.tuner = SimTuner(self)
         self._adc_rng = seeded("adc", settings.seed)
         self.nvram = Nvram(self._own_values())
         self.sleep = Sleep(self)

@@ -9,15 +9,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 
 @dataclass(frozen=True, slots=True)
-class BoardSettings(Settings):
+class BoardSettings(SimSettings):
     """The knobs of the menus DVB, PEAK, A3981, GPIO, EE, LATLON and DIPSWITCH. Times in seconds of dish time."""
 
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
-        **Settings.choices,
+        **SimSettings.choices,
         "di2conf": ("raw", "timeout"),
         "di2cs_bare": ("timeout", "parameter"),
         "latlon_unit": ("deg", "cdeg"),

@@ -5,7 +5,7 @@ Source: docs/reference/g2.md, *Power-up*.
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.mot_reference import home
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.shell import Pause, Script
@@ -24,7 +24,7 @@ BEFORE_HOMING = (
 )
 
 
-def fail_to_home(board: Board) -> Script:
+def fail_to_home(board: G2Board) -> Script:
     """Time out on both axes (setting `home_fails`)."""
     for index in (1, 0):
         data = board.dish.axes[index].data
@@ -32,7 +32,7 @@ def fail_to_home(board: Board) -> Script:
         yield f"{data.name} Motor Home Failure\n"
 
 
-def boot_log(board: Board, tracker: Tracker) -> Script:
+def boot_log(board: G2Board, tracker: Tracker) -> Script:
     """Play the log; home and start the TV search unless NVS 20 is TRUE. The shell prints its prompt afterwards."""
     for seconds, line in BEFORE_HOMING:
         yield Pause(seconds)

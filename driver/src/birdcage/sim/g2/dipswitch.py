@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
 
-class Dipswitch(G2Menu):
+class DipswitchMenu(G2Menu):
     """The switches under the cover, and what the firmware makes of them."""
 
     prompt = "DIPSWITCH>"
     help_lines = ("help [<command>]", "dipswitch - read dipswitch", "q")
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"dipswitch": self._read}
 

@@ -25,7 +25,7 @@ WANTS_REPLY = frozenset({0xE2, 0xE3})
 ACKNOWLEDGED = "E4"
 
 
-class Diseqc:
+class DiseqcCommands:
     """Settings of the bus, questions and packets."""
 
     def __init__(self, menu: G2Menu) -> None:

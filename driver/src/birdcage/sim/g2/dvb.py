@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from birdcage.sim.chance import seeded
-from birdcage.sim.g2.board import Board
-from birdcage.sim.g2.diseqc import Diseqc
+from birdcage.sim.g2.board import G2Board
+from birdcage.sim.g2.diseqc import DiseqcCommands
 from birdcage.sim.g2.dvb_channel import DvbChannel
 from birdcage.sim.g2.dvb_report import DvbReport
 from birdcage.sim.g2.menu import G2Menu
@@ -65,16 +65,16 @@ SECOND_PAGE = (
 )
 
 
-class Dvb(G2Menu):
+class DvbMenu(G2Menu):
     """Signal strength, streams, and everything that its parts add."""
 
     prompt = "DVB>"
     help_lines = FIRST_PAGE + SECOND_PAGE
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         channel = DvbChannel(self)
-        diseqc = Diseqc(self)
+        diseqc = DiseqcCommands(self)
         self.commands |= {
             **channel.commands,
             **DvbReport(self).commands,
@@ -137,7 +137,7 @@ class Dvb(G2Menu):
             return
         self.board.tuner.lnb_volts = VERTICAL_V
 
-    def _defaults(self, channel: DvbChannel, diseqc: Diseqc) -> Callable[[list[str]], Script]:
+    def _defaults(self, channel: DvbChannel, diseqc: DiseqcCommands) -> Callable[[list[str]], Script]:
         def run(args: list[str]) -> Script:  # noqa: ARG001
             channel.restore()
             diseqc.restore()

@@ -11,7 +11,7 @@ from birdcage.sim.chance import seeded
 from birdcage.sim.g2.eeprom import whole
 from birdcage.sim.g2.menu import Command, G2Menu
 from birdcage.sim.g2.tracker import Tracker
-from birdcage.sim.g2.tuner import TRANSPONDERS, Heard
+from birdcage.sim.g2.tuner import TRANSPONDERS, TunerReading
 from birdcage.sim.shell import Pause, Script
 
 FREQUENCIES_KHZ = 950_000, 2_150_000
@@ -109,11 +109,11 @@ class DvbChannel:
             channel = self._board.tuner.channels[number]
             yield f"{self._line(number, heard)} Sym:{channel.symbol_rate_ksps} RSSI:{heard.rssi}\n"
 
-    def _survey(self) -> Iterator[tuple[int, Heard]]:
+    def _survey(self) -> Iterator[tuple[int, TunerReading]]:
         for number in self._board.tuner.order:
             yield number, self._board.tuner.survey(number, self._board.now_s)
 
-    def _line(self, number: int, heard: Heard) -> str:
+    def _line(self, number: int, heard: TunerReading) -> str:
         channel = self._board.tuner.channels[number]
         return (
             f"{number:3d}) {channel.frequency_khz} kHz {channel.polarity} "

@@ -5,7 +5,7 @@ Both answers of reading are quoted (noted); that of writing is made like them (a
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
@@ -15,13 +15,13 @@ INVALID = 65793
 """0x10101, the mark of an entry that holds nothing."""
 
 
-class Eeprom(G2Menu):
+class EepromMenu(G2Menu):
     """Outlasts reboot and power-off."""
 
     prompt = "EE>"
     help_lines = ("help [<command>]", "def - restore defaults", "ee <index> [<value>]", "inv <index> - invalidate", "q")
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"def": self._defaults, "ee": self._entry, "inv": self._invalidate}
         self._entries = self._factory()

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
-from birdcage.sim.axis import STALL_DWELL_S, Axis
-from birdcage.sim.firmware import Host
-from birdcage.sim.g2.board import Board
+from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
+from birdcage.sim.firmware import FirmwareHost
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.boot import BEFORE_HOMING, boot_log
 from birdcage.sim.g2.console import menus
 from birdcage.sim.g2.knobs import G2Settings
@@ -21,9 +21,9 @@ class G2Firmware:
     baud = 115200
     """Source: docs/reference/g2.md, *Line*."""
 
-    def __init__(self, settings: G2Settings, host: Host) -> None:
+    def __init__(self, settings: G2Settings, host: FirmwareHost) -> None:
         self.dish = G2Dish(settings, host.truth)
-        self.board = Board(settings, host.machine, self.dish, host.restart)
+        self.board = G2Board(settings, host.machine, self.dish, host.restart)
         self.tracker = Tracker(self.board)
         self.menus = menus(self.board)
         self._host = host
@@ -46,11 +46,11 @@ class G2Firmware:
         self.board.power_on()
         return boot_log(self.board, self.tracker) if home else _restart_log()
 
-    def stalled(self, axis: Axis) -> None:
+    def stalled(self, axis: AxisMechanics) -> None:
         """Say so (noted of another dish of this maker: docs/reference/consoles.md, *Stalls*)."""
         self._host.say(f"{axis.data.name} MOTOR STALLED\n")
 
-    def _strikes(self, axis: Axis, end_s: float) -> None:
+    def _strikes(self, axis: AxisMechanics, end_s: float) -> None:
         """Foresee that a motion will end at a stop: the firmware says so then, unless it ended otherwise."""
 
         def struck() -> None:
@@ -59,7 +59,7 @@ class G2Firmware:
 
         self._host.machine.at_dish(end_s, struck)
 
-    def _pushes(self, axis: Axis) -> None:
+    def _pushes(self, axis: AxisMechanics) -> None:
         """Find out that an axis does not turn, as at a stop; not when it was freed meanwhile."""
         machine = self._host.machine
         machine.at_dish(machine.dish_s + STALL_DWELL_S, lambda: self.stalled(axis) if axis.stalled else None)

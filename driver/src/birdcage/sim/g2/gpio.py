@@ -5,7 +5,7 @@ Source: docs/reference/g2-commands.md, *GPIO>*.
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.gpio_pins import HIGH, LNB_18V, OUTPUTS, TUNER_POWER, UNKNOWN, pins
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tuner import HORIZONTAL_V, VERTICAL_V
@@ -14,13 +14,13 @@ from birdcage.sim.shell import Script
 PINS_A_LINE = 8
 
 
-class Gpio(G2Menu):
+class GpioMenu(G2Menu):
     """Reads and drives pins. What the motors do to theirs no source tells: they stand as at rest."""
 
     prompt = "GPIO>"
     help_lines = ("help [<command>]", "dir <pin>", "q", "r <pin>", "regs - all pins", "w <pin> <val>")
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"dir": self._direction, "r": self._read, "regs": self._registers, "w": self._write}
         self._pins = pins(board.settings.pins_e)

@@ -12,18 +12,18 @@ import math
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.sim.almanac import EARTH_RADIUS_KM, GEO_RADIUS_KM
-from birdcage.sim.g2.board import Board, number
+from birdcage.sim.g2.board import G2Board, number
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
 
-class LatLon(G2Menu):
+class LatLonMenu(G2Menu):
     """The calculator."""
 
     prompt = "LATLON>"
     help_lines = ("help [<command>]", "l <az1> <el1> <az2> <el2> - calculate lat and lon", "q")
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"l": self._calculate}
 

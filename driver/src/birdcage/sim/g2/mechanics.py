@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.axis import Axis, AxisData
+from birdcage.sim.axis import AxisData, AxisMechanics
 from birdcage.sim.chance import seeded
-from birdcage.sim.dish import Dish, Truth
+from birdcage.sim.dish import DishMechanics, DishTruth
 from birdcage.sim.g2.knobs import G2Settings
 
 CABLE_LOW_DEG, CABLE_HIGH_DEG = -423.33, 23.33
@@ -17,10 +17,10 @@ AZ_STEPS, EL_STEPS = 40000, 24960
 SAG_RATE_DEG_S = 10.0
 
 
-class G2Dish(Dish):
+class G2Dish(DishMechanics):
     """An azimuth and an elevation motor that move at once."""
 
-    def __init__(self, settings: G2Settings, look: Callable[[], Truth]) -> None:
+    def __init__(self, settings: G2Settings, look: Callable[[], DishTruth]) -> None:
         self._settings = settings
         rng = seeded("mechanics", settings.seed)
         unknown = settings.unhomed or settings.boot
@@ -33,7 +33,7 @@ class G2Dish(Dish):
         el_data = AxisData(
             "EL", EL_STEPS, 45.0, 400.0, EL_STOP_LOW_DEG, EL_STOP_HIGH_DEG, EL_STOP_HIGH_DEG, 65.0, 45.0, 2.0, **shared
         )
-        super().__init__((Axis(az_data, cable, rng), Axis(el_data, el, rng)), look)
+        super().__init__((AxisMechanics(az_data, cable, rng), AxisMechanics(el_data, el, rng)), look)
         for axis in self.axes:
             axis.homed = not unknown
 

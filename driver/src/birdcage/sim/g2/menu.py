@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.shell import Enter, Script
 
 Command = Callable[[list[str]], Script]
@@ -16,7 +16,7 @@ class G2Menu:
     prompt = ""
     help_lines: tuple[str, ...] = ()
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         self.board = board
         self.commands: dict[str, Command] = {"?": self._help, "help": self._help, "q": self._leave}
 

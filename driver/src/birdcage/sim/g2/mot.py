@@ -6,11 +6,11 @@ from collections.abc import Callable
 from functools import partial
 
 from birdcage.sim.g2 import mot_info, mot_moves, mot_reference, sweep
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
-TELLING: dict[str, Callable[[Board], Script]] = {
+TELLING: dict[str, Callable[[G2Board], Script]] = {
     "elminmaxhome": mot_info.el_limits,
     "l": mot_info.motors,
     "life": mot_info.life,
@@ -21,7 +21,7 @@ TELLING: dict[str, Callable[[Board], Script]] = {
     "v": mot_info.velocities,
 }
 """Commands that take no argument."""
-ASKING: dict[str, Callable[[Board, list[str]], Script | None]] = {
+ASKING: dict[str, Callable[[G2Board, list[str]], Script | None]] = {
     "a": mot_moves.angle,
     "azscan": sweep.azscan,
     "azscanwxp": sweep.azscanwxp,
@@ -40,7 +40,7 @@ ASKING: dict[str, Callable[[Board, list[str]], Script | None]] = {
 """Commands that read arguments, and return None for bad ones."""
 
 
-class Mot(G2Menu):
+class MotMenu(G2Menu):
     """Angles, homing, current."""
 
     prompt = "MOT>"
@@ -73,16 +73,16 @@ class Mot(G2Menu):
         "w [motor] [ON/OFF] - Wrap manager",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {name: partial(self._tell, command) for name, command in TELLING.items()}
         self.commands |= {name: partial(self._ask, command) for name, command in ASKING.items()}
         self.commands |= {"e": self._engage, "r": self._release}
 
-    def _tell(self, command: Callable[[Board], Script], args: list[str]) -> Script:
+    def _tell(self, command: Callable[[G2Board], Script], args: list[str]) -> Script:
         yield from self.bad_parameter() if args else command(self.board)
 
-    def _ask(self, command: Callable[[Board, list[str]], Script | None], args: list[str]) -> Script:
+    def _ask(self, command: Callable[[G2Board, list[str]], Script | None], args: list[str]) -> Script:
         yield from command(self.board, args) or self.bad_parameter()
 
     def _engage(self, args: list[str]) -> Script:  # noqa: ARG002

@@ -6,27 +6,27 @@ their lines are assumed, made like these.
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import INT_MAX, Board, number
+from birdcage.sim.g2.board import INT_MAX, G2Board, number
 from birdcage.sim.g2.mot_limits import motor
 from birdcage.sim.shell import Script
 
 NAMES = ("AZIMUTH", "ELEVATION")
 
 
-def motors(board: Board) -> Script:
+def motors(board: G2Board) -> Script:
     """`l`: the motors and their states."""
     for index, axis in enumerate(board.dish.axes):
         moving = axis.moving(board.now_s)
         yield f"{index}={NAMES[index]} {'RELEASED' if axis.released else 'MOVING' if moving else 'HOLDING'}\n"
 
 
-def life(board: Board) -> Script:
+def life(board: G2Board) -> Script:
     """`life`: how often and how far each motor has turned."""
     for name, axis in zip(NAMES, board.dish.axes, strict=True):
         yield f"{name} moves: {axis.orders}\n{name} degrees: {axis.wear(board.now_s)[0]:.0f}\n"
 
 
-def motor_life(board: Board) -> Script:
+def motor_life(board: G2Board) -> Script:
     """`motorlife`: the same in full."""
     for name, axis in zip(NAMES, board.dish.axes, strict=True):
         degrees, seconds = axis.wear(board.now_s)
@@ -34,38 +34,38 @@ def motor_life(board: Board) -> Script:
         yield f"{name} degrees: {degrees:.2f} steps: {degrees / axis.step_deg:.0f} seconds: {seconds:.1f}\n"
 
 
-def accelerations(board: Board) -> Script:
+def accelerations(board: G2Board) -> Script:
     """`ma`: in degrees per second squared."""
     for index, axis in enumerate(board.dish.axes):
         yield f"Max Accel [{index}] = {axis.data.accel_deg_s2:.2f}\n"
 
 
-def speeds(board: Board) -> Script:
+def speeds(board: G2Board) -> Script:
     """`mv`: in degrees per second."""
     for index, axis in enumerate(board.dish.axes):
         yield f"Max Vel [{index}] = {axis.data.max_rate_deg_s:.2f}\n"
 
 
-def steps(board: Board) -> Script:
+def steps(board: G2Board) -> Script:
     """`p`: raw step positions."""
     for index, axis in enumerate(board.dish.axes):
         count = round(axis.count(board.now_s)[0] / axis.step_deg) if axis.homed else INT_MAX
         yield f"Position[{index}] = {count}\n"
 
 
-def velocities(board: Board) -> Script:
+def velocities(board: G2Board) -> Script:
     """`v`: how fast the motors turn, in degrees per second."""
     for index, axis in enumerate(board.dish.axes):
         yield f"Velocity[{index}] = {axis.count(board.now_s)[1]:.2f}\n"
 
 
-def el_limits(board: Board) -> Script:
+def el_limits(board: G2Board) -> Script:
     """`elminmaxhome`: NVS 101, 102 and 103."""
     row = board.nvram.active
     yield f"Min: {row[101]:.2f} Max: {row[102]:.2f} Home: {row[103]:.2f}\n"
 
 
-def el_to_steps(board: Board, args: list[str]) -> Script | None:
+def el_to_steps(board: G2Board, args: list[str]) -> Script | None:
     """`ela2s <deg>`: centidegrees inside (noted)."""
     angle = number(args[0]) if len(args) == 1 else None
     if angle is None:
@@ -74,7 +74,7 @@ def el_to_steps(board: Board, args: list[str]) -> Script | None:
     return _line(f"Angle: {centideg} Steps: {round(centideg / 100 / board.dish.axes[1].step_deg)}\n")
 
 
-def steps_to_el(board: Board, args: list[str]) -> Script | None:
+def steps_to_el(board: G2Board, args: list[str]) -> Script | None:
     """`els2a <steps>`: reports overflow when out of range (noted; setting `els2a_most`)."""
     count = number(args[0]) if len(args) == 1 else None
     if count is None or count != int(count):
@@ -84,7 +84,7 @@ def steps_to_el(board: Board, args: list[str]) -> Script | None:
     return _line(f"Steps: {count:.0f} Angle: {round(count * board.dish.axes[1].step_deg * 100)}\n")
 
 
-def gains(board: Board, args: list[str]) -> Script | None:
+def gains(board: G2Board, args: list[str]) -> Script | None:
     """`pid [motor] [Kp] [Kv] [Ki]`: show or set, until the next power-on; the motion does not change."""
     index = motor(args[0]) if args else None
     values = [number(text) for text in args[1:]]
@@ -95,7 +95,7 @@ def gains(board: Board, args: list[str]) -> Script | None:
     return _gains(board, (0, 1) if index is None else (index,))
 
 
-def _gains(board: Board, which: tuple[int, ...]) -> Script:
+def _gains(board: G2Board, which: tuple[int, ...]) -> Script:
     for index in which:
         yield "PID[{}] Kp={:g} Kv={:g} Ki={:g}\n".format(index, *board.gains[index])
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.sim.axis import Axis
-from birdcage.sim.g2.board import INT_MAX, Board
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.g2.board import INT_MAX, G2Board
 from birdcage.sim.shell import Die, Script
 
 
@@ -15,7 +15,7 @@ def motor(text: str) -> int | None:
     return int(text) if text in ("0", "1") else None
 
 
-def bounds(board: Board, index: int) -> tuple[float, float]:
+def bounds(board: G2Board, index: int) -> tuple[float, float]:
     """Return the lowest and highest count that the firmware allows, in degrees."""
     if index == 1:
         return board.nvram.active[101], board.nvram.active[102]
@@ -25,7 +25,7 @@ def bounds(board: Board, index: int) -> tuple[float, float]:
     return data.low_deg - shift, data.high_deg - shift
 
 
-def target(board: Board, index: int, wanted: float) -> float | None:
+def target(board: G2Board, index: int, wanted: float) -> float | None:
     """Return the count that an angle means; None when it is out of range (setting `out_of_range`)."""
     settings = board.settings
     low, high = bounds(board, index)
@@ -38,7 +38,7 @@ def target(board: Board, index: int, wanted: float) -> float | None:
     return min(max(wanted, low), high) if settings.out_of_range == "clamp" else None
 
 
-def _cable_target(board: Board, az_deg: float, low: float, high: float) -> float | None:
+def _cable_target(board: G2Board, az_deg: float, low: float, high: float) -> float | None:
     """Choose the turn of the cable (setting `az_map`); without the wrap manager the shortest way, wherever it leads."""
     here = board.dish.axes[0].count(board.now_s)[0]
     if board.settings.az_map == "literal":
@@ -54,12 +54,12 @@ def _cable_target(board: Board, az_deg: float, low: float, high: float) -> float
     return min(fitting, key=lambda turn: abs(turn - here), default=None)
 
 
-def angle_error(axis: Axis) -> str:
+def angle_error(axis: AxisMechanics) -> str:
     """What it says of an axis that does not know where it is (noted, for the elevation)."""
     return f"Step to Position {axis.data.name} angle error: {INT_MAX}\n"
 
 
-def unhomed(board: Board, axis: Axis) -> Script:
+def unhomed(board: G2Board, axis: AxisMechanics) -> Script:
     """Refuse a move of an unhomed axis, or hang (setting `unhomed_move`)."""
     if board.settings.unhomed_move == "deadlock":
         yield Die()

@@ -5,8 +5,8 @@ The arguments are quoted (noted); but for `a`, what is printed and how the shell
 
 from __future__ import annotations
 
-from birdcage.sim.axis import STALL_DWELL_S, Axis
-from birdcage.sim.g2.board import Board, number
+from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
+from birdcage.sim.g2.board import G2Board, number
 from birdcage.sim.g2.mot_limits import bounds, motor, target, unhomed
 from birdcage.sim.shell import Listen, Pause, Script
 
@@ -14,7 +14,7 @@ FAR_DEG = 1e6
 """Farther than any stop: an axis that is told to spin goes there."""
 
 
-def reported(board: Board, index: int) -> str:
+def reported(board: G2Board, index: int) -> str:
     """Print where an axis believes to be, as `a` does."""
     axis = board.dish.axes[index]
     if not axis.homed:
@@ -25,7 +25,7 @@ def reported(board: Board, index: int) -> str:
     return f"{centideg / 100:.2f}"
 
 
-def angle(board: Board, args: list[str]) -> Script | None:
+def angle(board: G2Board, args: list[str]) -> Script | None:
     """`a`: show both angles, or move one axis; None when the arguments are no good."""
     if not args:
         return _show(board)
@@ -42,11 +42,11 @@ def angle(board: Board, args: list[str]) -> Script | None:
     return _one(board, index, wanted)
 
 
-def _show(board: Board) -> Script:
+def _show(board: G2Board) -> Script:
     yield "".join(f"Angle[{index}] = {reported(board, index)}\n" for index in (0, 1))
 
 
-def _one(board: Board, index: int, wanted: float) -> Script:
+def _one(board: G2Board, index: int, wanted: float) -> Script:
     goal = target(board, index, wanted)
     if goal is None:
         yield f"{board.settings.out_of_range_text}\n"
@@ -67,7 +67,7 @@ def _one(board: Board, index: int, wanted: float) -> Script:
     yield _taken(board, index, wanted if index == 0 else goal)
 
 
-def _waits_s(board: Board, index: int) -> float:
+def _waits_s(board: G2Board, index: int) -> float:
     """Return how long the shell blocks before an axis takes its next command."""
     settings, now_s = board.settings, board.now_s
     same, other = settings.second_move == "block", settings.second_other == "block"
@@ -75,7 +75,7 @@ def _waits_s(board: Board, index: int) -> float:
     return max((end_s - now_s for end_s in ends), default=0.0)
 
 
-def _taken(board: Board, index: int, deg: float) -> str:
+def _taken(board: G2Board, index: int, deg: float) -> str:
     match board.settings.move_reply:
         case "none":
             return ""
@@ -85,7 +85,7 @@ def _taken(board: Board, index: int, deg: float) -> str:
             return f"Angle = {deg:.2f}\n"
 
 
-def both(board: Board, args: list[str]) -> Script | None:
+def both(board: G2Board, args: list[str]) -> Script | None:
     """`g <az> <el>`: both axes at once; the shell listens, and any byte breaks the move off.
 
     Source: docs/reference/consoles.md, *Moving*.
@@ -96,7 +96,7 @@ def both(board: Board, args: list[str]) -> Script | None:
     return _go(board, wanted[0], wanted[1])
 
 
-def _go(board: Board, az_deg: float, el_deg: float) -> Script:
+def _go(board: G2Board, az_deg: float, el_deg: float) -> Script:
     axes = board.dish.axes
     for axis in axes:
         if not axis.homed:
@@ -116,7 +116,7 @@ def _go(board: Board, az_deg: float, el_deg: float) -> Script:
         yield from _show(board)
 
 
-def velocity(board: Board, args: list[str]) -> Script | None:
+def velocity(board: G2Board, args: list[str]) -> Script | None:
     """`vms [motor] [deg_per_rev] [ms]`: spin for so long, inside the limits; the second is read as deg/s."""
     numbers = [number(text) for text in args[1:]]
     index = motor(args[0]) if args else None
@@ -125,7 +125,7 @@ def velocity(board: Board, args: list[str]) -> Script | None:
     return _spin(board, index, numbers[0], numbers[1] / 1000.0)
 
 
-def _spin(board: Board, index: int, rate_deg_s: float, seconds: float) -> Script:
+def _spin(board: G2Board, index: int, rate_deg_s: float, seconds: float) -> Script:
     axis = board.dish.axes[index]
     end_s = board.now_s + seconds
     if rate_deg_s:
@@ -140,7 +140,7 @@ def _spin(board: Board, index: int, rate_deg_s: float, seconds: float) -> Script
         yield ""
 
 
-def _brake_at(board: Board, axis: Axis, end_s: float) -> None:
+def _brake_at(board: G2Board, axis: AxisMechanics, end_s: float) -> None:
     order = axis.orders
 
     def brake() -> None:
@@ -150,12 +150,12 @@ def _brake_at(board: Board, axis: Axis, end_s: float) -> None:
     board.machine.at_dish(end_s, brake)
 
 
-def test_both(board: Board, args: list[str]) -> Script | None:
+def test_both(board: G2Board, args: list[str]) -> Script | None:
     """`motorboth`: turn both motors out and back at the same time; nothing listens meanwhile."""
     return None if args else _out_and_back(board)
 
 
-def _out_and_back(board: Board) -> Script:
+def _out_and_back(board: G2Board) -> Script:
     axes = board.dish.axes
     for axis in axes:
         if not axis.homed:
@@ -173,7 +173,7 @@ def _out_and_back(board: Board) -> Script:
         yield Pause(max(*(axis.end_s() for axis in axes), board.now_s) - board.now_s)
 
 
-def stall_test(board: Board, args: list[str]) -> Script | None:
+def stall_test(board: G2Board, args: list[str]) -> Script | None:
     """`sd [motor] [direction] [timeout]`: run until it stalls; direction 1, or 0 or -1 for back; milliseconds."""
     index = motor(args[0]) if len(args) == 3 else None
     timeout = number(args[2]) if len(args) == 3 else None
@@ -182,7 +182,7 @@ def stall_test(board: Board, args: list[str]) -> Script | None:
     return _until_stall(board, index, 1 if args[1] in ("1", "+1") else -1, timeout / 1000.0)
 
 
-def _until_stall(board: Board, index: int, direction: int, seconds: float) -> Script:
+def _until_stall(board: G2Board, index: int, direction: int, seconds: float) -> Script:
     axis = board.dish.axes[index]
     axis.retarget(board.now_s, direction * FAR_DEG, rate_deg_s=axis.data.homing_rate_deg_s)
     struck_s = axis.end_s()

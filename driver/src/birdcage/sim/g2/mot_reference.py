@@ -5,12 +5,12 @@ Source: docs/reference/g2-commands.md, *MOT>*; docs/reference/g2-motors.md, *Hom
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board, number
+from birdcage.sim.g2.board import G2Board, number
 from birdcage.sim.g2.mot_limits import motor
 from birdcage.sim.shell import Pause, Script
 
 
-def home(board: Board, index: int) -> Script:
+def home(board: G2Board, index: int) -> Script:
     """Home one axis: blocks until done or timed out, then prints what the firmware prints."""
     axis = board.dish.axes[index]
     if axis.released:
@@ -25,42 +25,42 @@ def home(board: Board, index: int) -> Script:
         yield f"{_wrap(board)}AZ - Angle: {centideg} Wrap: 0\n"
 
 
-def homing(board: Board, args: list[str]) -> Script | None:
+def homing(board: G2Board, args: list[str]) -> Script | None:
     """`h <id>` or `h *`: the elevation first, as at power-on."""
     which = {"0": (0,), "1": (1,), "*": (1, 0)}.get(args[0]) if len(args) == 1 else None
     return None if which is None else _home(board, which)
 
 
-def _home(board: Board, which: tuple[int, ...]) -> Script:
+def _home(board: G2Board, which: tuple[int, ...]) -> Script:
     for index in which:
         yield from home(board, index)
 
 
-def set_position(board: Board, args: list[str]) -> Script | None:
+def set_position(board: G2Board, args: list[str]) -> Script | None:
     """`sp [motor] [pos]`: believe that it stands here; the shaft does not move, and the limits move with the count."""
     given = _given(board, args)
     return None if given is None else _believe(board, *given)
 
 
-def _believe(board: Board, index: int, position_deg: float) -> Script:
+def _believe(board: G2Board, index: int, position_deg: float) -> Script:
     axis = board.dish.axes[index]
     axis.redefine(board.now_s, position_deg)
     axis.homed = axis.homed or board.settings.sp_homes
     yield f"Position[{index}] = {round(axis.count(board.now_s)[0] / axis.step_deg)}\n"
 
 
-def set_wrap(board: Board, args: list[str]) -> Script | None:
+def set_wrap(board: G2Board, args: list[str]) -> Script | None:
     """`sw [motor] [pos]`: take this to be a certain turn of the cable; the limits of the wrap manager follow."""
     given = _given(board, args)
     return None if given is None else _shift(board, *given)
 
 
-def _shift(board: Board, index: int, position_deg: float) -> Script:
+def _shift(board: G2Board, index: int, position_deg: float) -> Script:
     board.wrap_shift_deg[index] = position_deg - board.dish.axes[index].count(board.now_s)[0]
     yield _wrap(board) if index == 0 else ""
 
 
-def wrap_manager(board: Board, args: list[str]) -> Script | None:
+def wrap_manager(board: G2Board, args: list[str]) -> Script | None:
     """`w [motor] [ON/OFF]`: show, or have the firmware keep the cable's limit or not. The elevation has no cable."""
     index = motor(args[0]) if args else None
     if (args and index is None) or len(args) > 2 or (len(args) == 2 and args[1].upper() not in ("ON", "OFF")):
@@ -70,12 +70,12 @@ def wrap_manager(board: Board, args: list[str]) -> Script | None:
     return _manager(board, (0, 1) if index is None else (index,))
 
 
-def _manager(board: Board, which: tuple[int, ...]) -> Script:
+def _manager(board: G2Board, which: tuple[int, ...]) -> Script:
     for index in which:
         yield f"Wrap[{index}] = {'ON' if board.wrap_managed[index] else 'OFF'}\n"
 
 
-def _given(board: Board, args: list[str]) -> tuple[int, float] | None:
+def _given(board: G2Board, args: list[str]) -> tuple[int, float] | None:
     """Read a motor and a position (setting `position_unit`)."""
     index = motor(args[0]) if len(args) == 2 else None
     position = number(args[1]) if len(args) == 2 else None
@@ -85,7 +85,7 @@ def _given(board: Board, args: list[str]) -> tuple[int, float] | None:
     return index, position * units[board.settings.position_unit]
 
 
-def _wrap(board: Board) -> str:
+def _wrap(board: G2Board) -> str:
     data, shift = board.dish.axes[0].data, board.wrap_shift_deg[0]
     low, high = round((data.low_deg - shift) * 100), round((data.high_deg - shift) * 100)
     return f"wrap_min:{low} wrap_max:{high}\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.nvram import ROWS, render
 from birdcage.sim.shell import Pause, Script
@@ -17,7 +17,7 @@ SAVE_S = 0.5
 """How long flash takes (assumed)."""
 
 
-class Nvs(G2Menu):
+class G2NvsMenu(G2Menu):
     """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed (noted)."""
 
     prompt = "NVS>"
@@ -29,7 +29,7 @@ class Nvs(G2Menu):
         "s - Save to flash",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"d": self._dump, "e": self._edit, "s": self._save}
         self._begin()

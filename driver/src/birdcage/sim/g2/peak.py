@@ -7,7 +7,7 @@ the place where it stands and end at the best one that they found. The shell is 
 from __future__ import annotations
 
 from birdcage.sim.chance import seeded
-from birdcage.sim.g2.board import INT_MAX, Board
+from birdcage.sim.g2.board import INT_MAX, G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tuner import HORIZONTAL_V, VERTICAL_V
 from birdcage.sim.shell import Die, Pause, Script
@@ -19,7 +19,7 @@ SMALLEST_STEP_DEG = 0.05
 NAMES = ("AZ", "EL")
 
 
-class Peak(G2Menu):
+class PeakMenu(G2Menu):
     """Signal in both polarisations, the best direction near here, and the switch."""
 
     prompt = "PEAK>"
@@ -34,7 +34,7 @@ class Peak(G2Menu):
         "ts - toggle switch status",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {
             "psnr": self._snr,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import INT_MAX, Board
+from birdcage.sim.g2.board import INT_MAX, G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Die, Enter, Pause, Script
 
@@ -23,7 +23,7 @@ SUBMENUS = {
 """The line of `dvb` is quoted (noted); the others are made like it (assumed)."""
 
 
-class Root(G2Menu):
+class G2RootMenu(G2Menu):
     """Enters submenus. What `q` does here is a setting, as the sources disagree."""
 
     prompt = "TRK>"
@@ -35,7 +35,7 @@ class Root(G2Menu):
         "q",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"q": self._quit, "reboot": self._reboot, "stow": self._stow}
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from birdcage.sim.g2.board import Board
+    from birdcage.sim.g2.board import G2Board
 
 TIMER = 38
 """The row of the settings memory: seconds without input; 0 for never (assumed)."""
@@ -17,7 +17,7 @@ TIMER = 38
 class Sleep:
     """Decides which bytes the shell hears (setting `sleep`). Nothing ticks: it looks when a byte comes."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         self._board = board
         self.power_on()
 

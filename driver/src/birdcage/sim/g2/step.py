@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import math
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.g2.board import Board, number
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.g2.board import G2Board, number
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.mot_limits import motor as motor_number
 from birdcage.sim.g2.mot_moves import FAR_DEG
 from birdcage.sim.shell import Script
 
 
-class Step(G2Menu):
+class StepMenu(G2Menu):
     """Below the angles: no limits, no homing asked for. What is set holds until the power goes or it reboots."""
 
     prompt = "STEP>"
@@ -28,7 +28,7 @@ class Step(G2Menu):
         "v [motor] [ustep/sec] - Go to velocity",
     )
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {
             "e": self._engage,
@@ -102,7 +102,7 @@ class Step(G2Menu):
             self.board.gains[index][:2] = [value for value in values if value is not None]
         yield "Kp={:g} Kv={:g}\n".format(*self.board.gains[index][:2])
 
-    def _motor(self, args: list[str]) -> tuple[Axis, float] | None:
+    def _motor(self, args: list[str]) -> tuple[AxisMechanics, float] | None:
         """Return the axis and the number of `<motor> <number>`; None when it is not that."""
         value = number(args[1]) if len(args) == 2 else None
         index = motor_number(args[0]) if args else None

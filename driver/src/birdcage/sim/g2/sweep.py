@@ -10,8 +10,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.g2.board import INT_MAX, Board, number
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.g2.board import INT_MAX, G2Board, number
 from birdcage.sim.g2.mot_limits import angle_error, bounds, motor
 from birdcage.sim.g2.tuner import TRANSPONDERS
 from birdcage.sim.shell import Die, Listen, Pause, Script, Step
@@ -36,7 +36,7 @@ class Sweep:
     """Whose counts it prints: those of the `tuner`, or of the `adc` before it."""
 
 
-def azscan(board: Board, args: list[str]) -> Script | None:
+def azscan(board: G2Board, args: list[str]) -> Script | None:
     """`azscan [az_rel] [el_rel] [delay]`: degrees, degrees and milliseconds (assumed); setting `azscan_rows`."""
     given = [number(text) for text in args]
     if len(given) > 3 or None in given:
@@ -47,7 +47,7 @@ def azscan(board: Board, args: list[str]) -> Script | None:
     return _guarded(board, 0, lambda: _rows(board, az, el, delay / 1000.0))
 
 
-def azscanwxp(board: Board, args: list[str]) -> Script | None:
+def azscanwxp(board: G2Board, args: list[str]) -> Script | None:
     """`azscanwxp [motor] [span_deg] [res_cdeg] [num_xponders]`: `0 10 100 3` is 30 lines (noted)."""
     settings = board.settings
     index = motor(args[0]) if args else 0
@@ -64,7 +64,7 @@ def azscanwxp(board: Board, args: list[str]) -> Script | None:
     return _guarded(board, index, lambda: _row(board, wanted))
 
 
-def adc_scan(board: Board, args: list[str]) -> Script | None:
+def adc_scan(board: G2Board, args: list[str]) -> Script | None:
     """`scan`: azimuth, or `scan [motor] [span_deg] [res_cdeg]`; both ends are read."""
     settings = board.settings
     index = motor(args[0]) if args else 0
@@ -81,7 +81,7 @@ def adc_scan(board: Board, args: list[str]) -> Script | None:
     return _guarded(board, index, lambda: _row(board, wanted))
 
 
-def _guarded(board: Board, index: int, script: Callable[[], Generator[Step, bool | None, object]]) -> Script:
+def _guarded(board: G2Board, index: int, script: Callable[[], Generator[Step, bool | None, object]]) -> Script:
     """Sweep if the axis knows where it is; else it is sent to INT_MAX, and the shell waits for that (noted)."""
     axes = board.dish.axes
     axis = axes[index]
@@ -96,11 +96,11 @@ def _guarded(board: Board, index: int, script: Callable[[], Generator[Step, bool
         yield Die()
 
 
-def _refuse(axis: Axis) -> Script:
+def _refuse(axis: AxisMechanics) -> Script:
     yield angle_error(axis)
 
 
-def _rows(board: Board, az_deg: float, el_deg: float, pause_s: float) -> Script:
+def _rows(board: G2Board, az_deg: float, el_deg: float, pause_s: float) -> Script:
     el = board.dish.axes[1]
     step = board.settings.scan_step_cdeg if az_deg > 0 else -board.settings.scan_step_cdeg
     points = max(round(abs(az_deg) * 100 / abs(step)), 1)
@@ -119,7 +119,7 @@ def _rows(board: Board, az_deg: float, el_deg: float, pause_s: float) -> Script:
             return
 
 
-def _row(board: Board, sweep: Sweep) -> Part:
+def _row(board: G2Board, sweep: Sweep) -> Part:
     """Go along, and return whether a key broke it off (setting `sweep_key`)."""
     axis = board.dish.axes[sweep.motor]
     low, high = bounds(board, sweep.motor)
@@ -150,14 +150,14 @@ def _row(board: Board, sweep: Sweep) -> Part:
     return False
 
 
-def _wait(board: Board, seconds: float) -> Part:
+def _wait(board: G2Board, seconds: float) -> Part:
     if board.settings.sweep_key == "abort":
         return bool((yield Listen(seconds)))
     yield Pause(seconds)
     return False
 
 
-def _line(board: Board, sweep: Sweep, axis: Axis) -> str:
+def _line(board: G2Board, sweep: Sweep, axis: AxisMechanics) -> str:
     now_s = board.now_s
     centideg = round(axis.count(now_s)[0] * 100)
     heard = board.tuner.read(now_s)
@@ -168,5 +168,5 @@ def _line(board: Board, sweep: Sweep, axis: Axis) -> str:
     )
 
 
-def _mark(board: Board, transponder: int | None) -> str:
+def _mark(board: G2Board, transponder: int | None) -> str:
     return f" Xponder:{transponder}" if board.settings.xponder_style == "labelled" and transponder is not None else ""

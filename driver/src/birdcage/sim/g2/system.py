@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
 
@@ -25,13 +25,13 @@ NXP Kinetis K60 ARM Cortex-M4
 the notes name is printed below them (setting `nvs_version`)."""
 
 
-class System(G2Menu):
+class SystemMenu(G2Menu):
     """Identity and reboot."""
 
     prompt = "OS>"
     help_lines = ("help [<command>]", "id - Identification", "q", "reboot - Reboot the processor")
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         super().__init__(board)
         self.commands |= {"id": self._id, "reboot": self._reboot}
 

@@ -6,8 +6,8 @@ the first strong signal, are assumed. It prints nothing here, as no source quote
 
 from __future__ import annotations
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.g2.board import Board
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.g2.board import G2Board
 
 FIRST_EL_DEG, EL_STEP_DEG = 25.0, 5.0
 AZ_ENDS_DEG = (-355.0, -5.0)
@@ -22,7 +22,7 @@ SHORTEST_SWEEP_S = 1.0
 class Tracker:
     """Sweeps in azimuth, a little higher each time, until it hears something. Nothing ticks: each sweep is foreseen."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         self._board = board
         self._run = 0
         self._sweep = 0
@@ -53,7 +53,7 @@ class Tracker:
         else:
             self._board.machine.at_dish(found_s, lambda: self._hold(run))
 
-    def _hears(self, az: Axis, el: Axis, now_s: float) -> float | None:
+    def _hears(self, az: AxisMechanics, el: AxisMechanics, now_s: float) -> float | None:
         for index in range(int((az.end_s() - now_s) / SAMPLE_S)):
             when = now_s + index * SAMPLE_S
             level = self._board.level(when, az.shaft(when), el.shaft(when))

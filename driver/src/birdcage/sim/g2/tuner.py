@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from birdcage.sim.chance import seeded
 
 if TYPE_CHECKING:
-    from birdcage.sim.g2.board import Board
+    from birdcage.sim.g2.board import G2Board
 
 TRANSPONDERS = 32
 FIRST_KHZ, SPACING_KHZ = 974_000, 14_580
@@ -36,7 +36,7 @@ NETWORKS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class TunerReading:
     """One look of the tuner."""
 
     rssi: int
@@ -49,7 +49,7 @@ class Heard:
 
 
 @dataclass(frozen=True, slots=True)
-class Channel:
+class TunerChannel:
     """What the tuner is set to."""
 
     frequency_khz: int
@@ -64,14 +64,14 @@ class Channel:
         return VERTICAL_V if self.polarity == "V" else HORIZONTAL_V
 
 
-def plan(transponder: int) -> Channel:
+def plan(transponder: int) -> TunerChannel:
     """Return the channel of a transponder, 1 to 32."""
     frequency = FIRST_KHZ + (transponder - 1) * SPACING_KHZ
-    return Channel(frequency, SYMBOL_RATE_KSPS, "V" if transponder % 2 else "H")
+    return TunerChannel(frequency, SYMBOL_RATE_KSPS, "V" if transponder % 2 else "H")
 
 
 @dataclass(slots=True)
-class Tally:
+class TunerCounts:
     """What the tuner counts from power-on or `def` on."""
 
     reads: int = 0
@@ -83,7 +83,7 @@ class Tally:
     highest: int = 0
     networks: dict[int, int] = field(default_factory=dict)
 
-    def count(self, heard: Heard) -> None:
+    def count(self, heard: TunerReading) -> None:
         """Take one look into account."""
         self.lowest = min(self.lowest, heard.rssi) if self.reads else heard.rssi
         self.highest = max(self.highest, heard.rssi)
@@ -95,10 +95,10 @@ class Tally:
             self.networks[heard.network] = self.networks.get(heard.network, 0) + 1
 
 
-class Tuner:
+class SimTuner:
     """Hears what the dish points at. All times are seconds of dish time."""
 
-    def __init__(self, board: Board) -> None:
+    def __init__(self, board: G2Board) -> None:
         self._board = board
         self._rng = seeded("rssi", board.settings.seed)
         self.power_on()
@@ -117,10 +117,10 @@ class Tuner:
         self.order = list(self.channels)
         """The transponders as the table goes through them."""
         self.transponder = min(max(self._board.settings.transponder, 1), TRANSPONDERS)
-        self.tally = Tally()
+        self.tally = TunerCounts()
 
     @property
-    def channel(self) -> Channel:
+    def channel(self) -> TunerChannel:
         """What it is tuned to."""
         return self.channels[self.transponder]
 
@@ -149,7 +149,7 @@ class Tuner:
         offset = board.settings.lnb_13v_counts if self.lnb_volts == VERTICAL_V else 0.0
         return level + offset, level - board.sky.floor(board.stance.beam(az, el)[1])
 
-    def read(self, dish_s: float) -> Heard:
+    def read(self, dish_s: float) -> TunerReading:
         """Look once."""
         settings = self._board.settings
         level, above = self.level(dish_s)
@@ -159,11 +159,11 @@ class Tuner:
         locked = network is not None
         rssi = max(round(level + noise), 0) if self.on else 0
         snr = max(above + noise, 0.0) / settings.snr_counts if locked else 0.0
-        heard = Heard(rssi, locked, snr, (network or NO_NETWORK) if locked else NO_NETWORK)
+        heard = TunerReading(rssi, locked, snr, (network or NO_NETWORK) if locked else NO_NETWORK)
         self.tally.count(heard)
         return heard
 
-    def survey(self, transponder: int, dish_s: float) -> Heard:
+    def survey(self, transponder: int, dish_s: float) -> TunerReading:
         """Look at a transponder with the LNB at its voltage, then go back to what was set."""
         before = self.transponder, self.lnb_volts
         self.select(transponder)

@@ -6,31 +6,31 @@ import math
 from collections.abc import Callable
 from datetime import timedelta
 
-from birdcage.sim.axis import STALL_DWELL_S, Axis
+from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
 from birdcage.sim.chance import seeded
-from birdcage.sim.firmware import Host
+from birdcage.sim.firmware import FirmwareHost
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.hal.lane import Lane, Order
 from birdcage.sim.hal.mechanics import SKEW_DEG, HalDish
-from birdcage.sim.hal.memory import SAFE_MINIMUM, Memory
-from birdcage.sim.sky import Sky
+from birdcage.sim.hal.memory import SAFE_MINIMUM, HalMemory
+from birdcage.sim.hal.motor_queue import MotorQueue, QueuedMove
+from birdcage.sim.sky import SimSky
 from birdcage.sim.stance import Stance
 
 
 class HalBoard:
     """The processor board, as far as its console shows it."""
 
-    def __init__(self, settings: HalSettings, host: Host, dish: HalDish) -> None:
+    def __init__(self, settings: HalSettings, host: FirmwareHost, dish: HalDish) -> None:
         self.settings = settings
         self.host = host
         self.machine = host.machine
         self.dish = dish
-        self.memory = Memory()
+        self.memory = HalMemory()
         az, el, skew = dish.axes
-        self.turn = Lane(host.machine, (az, el), self._started)
+        self.turn = MotorQueue(host.machine, (az, el), self._started)
         """Azimuth and elevation exclude each other."""
-        self.skew = Lane(host.machine, (skew,), self._started)
-        self._sky = Sky(settings)
+        self.skew = MotorQueue(host.machine, (skew,), self._started)
+        self._sky = SimSky(settings)
         self._stance = Stance(settings)
         self._rng = seeded("floor", settings.seed)
         for axis in dish.axes:
@@ -42,24 +42,24 @@ class HalBoard:
         return self.machine.dish_s
 
     @property
-    def lanes(self) -> tuple[Lane, Lane]:
+    def lanes(self) -> tuple[MotorQueue, MotorQueue]:
         """Both queues of moves."""
         return self.turn, self.skew
 
-    def lane(self, index: int) -> Lane:
+    def lane(self, index: int) -> MotorQueue:
         """Return the queue that an axis stands in."""
         return self.skew if index == 2 else self.turn
 
     def order(self, index: int, wanted_deg: float) -> None:
         """Queue a move to an angle that `target` gave."""
         if index == 0:
-            self.turn.put(Order(self.dish.axes[0], lambda now_s: self.dish.cable_target(now_s, wanted_deg)))
+            self.turn.put(QueuedMove(self.dish.axes[0], lambda now_s: self.dish.cable_target(now_s, wanted_deg)))
         else:
             self.put(index, wanted_deg)
 
     def put(self, index: int, count_deg: float) -> None:
         """Queue a move to an angle of the axis' own count."""
-        self.lane(index).put(Order(self.dish.axes[index], lambda _now_s: count_deg))
+        self.lane(index).put(QueuedMove(self.dish.axes[index], lambda _now_s: count_deg))
 
     def drop(self) -> None:
         """Forget every move that waits."""
@@ -93,7 +93,7 @@ class HalBoard:
         beam = self._stance.beam(az_deg, el_deg)
         return self._sky.level(when, *beam) - self._sky.floor(beam[1])
 
-    def stalled(self, axis: Axis) -> None:
+    def stalled(self, axis: AxisMechanics) -> None:
         """Tell of a motor that has stopped on its way, and go on with the next move."""
         self._tell_stall(axis)
         for lane in self.lanes:
@@ -106,15 +106,15 @@ class HalBoard:
             return max(el_deg, floor)
         return None if self.settings.below_floor == "refuse" else self._rng.uniform(el_deg, floor)
 
-    def _started(self, axis: Axis) -> None:
+    def _started(self, axis: AxisMechanics) -> None:
         if axis.stalled and self.settings.stall == "stop":
             self.machine.at_dish(self.now_s + STALL_DWELL_S, lambda: self._tell_stall(axis) if axis.stalled else None)
 
-    def _tell_stall(self, axis: Axis) -> None:
+    def _tell_stall(self, axis: AxisMechanics) -> None:
         if self.settings.stall_text:
             self.host.say(f"{axis.data.name} MOTOR STALLED\n")
 
-    def _strikes(self, axis: Axis) -> Callable[[float], None]:
+    def _strikes(self, axis: AxisMechanics) -> Callable[[float], None]:
         """Make what is called when a motion is ordered that will run into a stop."""
 
         def strikes(when_s: float) -> None:

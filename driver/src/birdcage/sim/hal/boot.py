@@ -7,7 +7,7 @@ documented; the other lines are assumed.
 from __future__ import annotations
 
 from birdcage.sim.hal.board import HalBoard
-from birdcage.sim.hal.search import Search
+from birdcage.sim.hal.search import HalSearch
 from birdcage.sim.shell import Pause, Script
 
 LINE_S = 5.0
@@ -16,7 +16,7 @@ HEAD = ((0.5, "HAL 2.05.003"), (1.0, "IDU found"), (0.5, "NVS loaded"))
 DONE = {"nolnb": "No LNB Voltage", "nogps": "Loc: NoGPS", "none": "Searching"}
 
 
-def boot_log(board: HalBoard, search: Search) -> Script:
+def boot_log(board: HalBoard, search: HalSearch) -> Script:
     """Home every axis, then begin the search."""
     yield from restart_log()
     for index in (1, 0, 2):

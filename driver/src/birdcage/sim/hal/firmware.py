@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from birdcage.sim.axis import Axis
-from birdcage.sim.firmware import Host
+from birdcage.sim.axis import AxisMechanics
+from birdcage.sim.firmware import FirmwareHost
 from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.boot import boot_log, restart_log
 from birdcage.sim.hal.knobs import HalSettings
 from birdcage.sim.hal.mechanics import HalDish
-from birdcage.sim.hal.motor import Motor
-from birdcage.sim.hal.ngsearch import Ngsearch
-from birdcage.sim.hal.nvs import Nvs
-from birdcage.sim.hal.root import Root
-from birdcage.sim.hal.search import Search
+from birdcage.sim.hal.motor import MotorMenu
+from birdcage.sim.hal.ngsearch import NgsearchMenu
+from birdcage.sim.hal.nvs import HalNvsMenu
+from birdcage.sim.hal.root import HalRootMenu
+from birdcage.sim.hal.search import HalSearch
 from birdcage.sim.shell import Menu, Script
 
 
@@ -22,15 +22,15 @@ class Hal205Firmware:
     baud = 57600
     """`docs/reference/travler.md`, *Line*."""
 
-    def __init__(self, settings: HalSettings, host: Host) -> None:
+    def __init__(self, settings: HalSettings, host: FirmwareHost) -> None:
         self.dish = HalDish(settings, host.truth)
         self.board = HalBoard(settings, host, self.dish)
-        self.search = Search(self.board)
+        self.search = HalSearch(self.board)
         self.menus: dict[str, Menu] = {
-            "root": Root(self.board),
-            "motor": Motor(self.board),
-            "ngsearch": Ngsearch(self.board, self.search),
-            "nvs": Nvs(self.board),
+            "root": HalRootMenu(self.board),
+            "motor": MotorMenu(self.board),
+            "ngsearch": NgsearchMenu(self.board, self.search),
+            "nvs": HalNvsMenu(self.board),
         }
 
     def resume(self) -> None:
@@ -49,6 +49,6 @@ class Hal205Firmware:
         self.board.memory.power_on()
         return boot_log(self.board, self.search) if home else restart_log()
 
-    def stalled(self, axis: Axis) -> None:
+    def stalled(self, axis: AxisMechanics) -> None:
         """Say so (setting `stall_text`), and begin the move that waits."""
         self.board.stalled(axis)

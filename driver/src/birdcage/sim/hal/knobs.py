@@ -10,17 +10,17 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from birdcage.sim.settings import Settings
+from birdcage.sim.settings import SimSettings
 
 
 @dataclass(frozen=True, slots=True)
-class HalSettings(Settings):
+class HalSettings(SimSettings):
     """The knobs of one simulated Trav'ler. Angles in degrees, times in seconds of dish time."""
 
     firmware: ClassVar[str] = "hal205"
     reflector_in: ClassVar[tuple[float, float]] = (33.0, 23.0)
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
-        **Settings.choices,
+        **SimSettings.choices,
         "prompts": ("named", "alike"),
         "boot_line": ("nolnb", "nogps", "none"),
         "a_layout": ("line", "lines"),

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.axis import Axis, AxisData
+from birdcage.sim.axis import AxisData, AxisMechanics
 from birdcage.sim.chance import seeded
-from birdcage.sim.dish import Dish, Truth
+from birdcage.sim.dish import DishMechanics, DishTruth
 from birdcage.sim.hal.knobs import HalSettings
 from birdcage.sim.hal.law import rate_for
 
@@ -21,7 +21,7 @@ HOMING_SHARE = 0.7
 """How much of the time for homing the way from one end to the other and back may take."""
 
 
-class LawAxis(Axis):
+class LawAxis(AxisMechanics):
     """An axis whose every move takes the time of the measured law, unless a rate is given."""
 
     speed_deg_s: float | None = None
@@ -35,10 +35,10 @@ class LawAxis(Axis):
         )
 
 
-class HalDish(Dish):
+class HalDish(DishMechanics):
     """Azimuth, elevation and skew. Which of them move at once is the firmware's affair."""
 
-    def __init__(self, settings: HalSettings, look: Callable[[], Truth]) -> None:
+    def __init__(self, settings: HalSettings, look: Callable[[], DishTruth]) -> None:
         self._settings = settings
         self._wrap_deg = 360.0 if settings.wrap == "360" else 455.0
         rng = seeded("mechanics", settings.seed)

@@ -8,18 +8,18 @@ SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 
 
 @dataclass(frozen=True, slots=True)
-class Row:
+class HalSetting:
     """One setting: what it is called (assumed), and the factory's value in degrees."""
 
     name: str
     default: float
 
 
-ROWS = {SEARCH_MINIMUM: Row("Search Minimum EL", 15.0), SAFE_MINIMUM: Row("Safe Minimum EL", 15.0)}
+ROWS = {SEARCH_MINIMUM: HalSetting("Search Minimum EL", 15.0), SAFE_MINIMUM: HalSetting("Safe Minimum EL", 15.0)}
 """Both 15: the firmware's floor (`docs/reference/travler.md`, *Elevation*)."""
 
 
-class Memory:
+class HalMemory:
     """RAM and flash. `active` is what the firmware goes by: what was in flash when it started."""
 
     def __init__(self) -> None:

@@ -9,7 +9,7 @@ from birdcage.sim.shell import Die, Listen, Pause, Script
 EVERY_KEY = bytes(range(256))
 
 
-class Motor(HalMenu):
+class MotorMenu(HalMenu):
     """Angles in degrees. Motor 0 is azimuth, 1 elevation, 2 skew."""
 
     help_lines = ("a [<motor> <angle>]", "g <az> <el> <sk>", "q")

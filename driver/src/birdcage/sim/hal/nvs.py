@@ -14,7 +14,7 @@ SAVE_S = 0.5
 """How long flash takes (assumed)."""
 
 
-class Nvs(HalMenu):
+class HalNvsMenu(HalMenu):
     """Shows, edits and saves settings; they take effect with the next start of the processor (written)."""
 
     help_lines = ("d [<index>]", "e <index> [<value>]", "s", "q")

@@ -9,7 +9,7 @@ from birdcage.sim.shell import Die, Enter, Pause, Script
 SUBMENUS = ("motor", "ngsearch", "nvs")
 
 
-class Root(HalMenu):
+class HalRootMenu(HalMenu):
     """Enters submenus. What `q` does here is a setting."""
 
     help_lines = (*SUBMENUS, "reboot", "stow", "q")

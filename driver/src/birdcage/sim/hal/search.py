@@ -8,10 +8,10 @@ dish that searches carries out a move, and then goes on searching.
 
 from __future__ import annotations
 
-from birdcage.sim.axis import Axis
+from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.hal.board import HalBoard
-from birdcage.sim.hal.lane import TOUCH_S, Order
 from birdcage.sim.hal.memory import SEARCH_MINIMUM
+from birdcage.sim.hal.motor_queue import TOUCH_S, QueuedMove
 
 EL_STEP_DEG = 5.0
 AZ_ENDS_DEG = 5.0, 355.0
@@ -23,7 +23,7 @@ SHORTEST_SWEEP_S = 5.0
 """A blocked motor is at its end at once: the search still takes its time."""
 
 
-class Search:
+class HalSearch:
     """A step in elevation, a sweep in azimuth, and again a little higher. Nothing ticks: each sweep is foreseen."""
 
     def __init__(self, board: HalBoard) -> None:
@@ -32,7 +32,7 @@ class Search:
         self._run = 0
         self._steps = 0
         self._next_s = 0.0
-        self._order: Order | None = None
+        self._order: QueuedMove | None = None
         board.turn.on_idle = self._go_on
 
     def start(self) -> None:
@@ -82,8 +82,10 @@ class Search:
         if found_s is not None:
             board.machine.at_dish(found_s, lambda: self._hold(run))
 
-    def _move(self, axis: Axis, goal_deg: float, rate_deg_s: float | None = None) -> None:
-        self._order = Order(axis, lambda _now_s: goal_deg, rate_deg_s)  # kept first: what follows may come back here
+    def _move(self, axis: AxisMechanics, goal_deg: float, rate_deg_s: float | None = None) -> None:
+        self._order = QueuedMove(
+            axis, lambda _now_s: goal_deg, rate_deg_s
+        )  # kept first: what follows may come back here
         self._board.turn.put(self._order)
 
     def _again(self, run: int) -> None:

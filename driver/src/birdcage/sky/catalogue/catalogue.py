@@ -14,15 +14,15 @@ from birdcage.base.errors import BirdcageError
 from birdcage.base.store import open_database
 from birdcage.base.text import clean
 from birdcage.sky.ahead import AHEAD, is_ahead
-from birdcage.sky.catalogue.entry import Entry, key_of
-from birdcage.sky.catalogue.groups import Groups, stamp
+from birdcage.sky.catalogue.entry import CatalogueEntry, key_of
+from birdcage.sky.catalogue.groups import CatalogueGroups, stamp
 from birdcage.sky.catalogue.rows import COLUMNS, ELEMENTS, elements_of, read_entries, row_of
 from birdcage.sky.catalogue.schema import MIGRATIONS, told
 from birdcage.sky.catalogue.search import SearchIndex
 from birdcage.sky.elements import ElementSet
 
 
-class Added(NamedTuple):
+class AddedElements(NamedTuple):
     """What came of adding elements."""
 
     new: int
@@ -43,7 +43,7 @@ class Catalogue:
         self._connection = open_database(path, MIGRATIONS)
         self._changes = 0
         self._index: tuple[tuple[int, int], SearchIndex] | None = None
-        self.groups = Groups(self._connection)
+        self.groups = CatalogueGroups(self._connection)
 
     def __enter__(self) -> Self:
         return self
@@ -70,7 +70,7 @@ class Catalogue:
         group: str | None = None,
         whole_group: bool = False,
         fetched: datetime | None = None,
-    ) -> Added:
+    ) -> AddedElements:
         """Take in elements; of each satellite those with the newest epoch stay. All of it happens or nothing.
 
         An epoch that is too far ahead of `fetched` counts as older than every other (`birdcage.sky.ahead`).
@@ -107,7 +107,7 @@ class Catalogue:
                 if whole_group:
                     self._connection.execute("DELETE FROM membership WHERE group_name = ?", (group,))
                 self.add_to_group(group, best)
-        return Added(new, newer, len(best) - len(rows))
+        return AddedElements(new, newer, len(best) - len(rows))
 
     def add_to_group(self, group: str, satellites: Iterable[int | str]) -> None:
         """Let satellites belong to a group; numbers of which nothing is known yet will, once their elements come."""
@@ -142,15 +142,15 @@ class Catalogue:
         entry = self.entry(satellite)
         return None if entry is None else entry.elements
 
-    def entry(self, satellite: int | str) -> Entry | None:
+    def entry(self, satellite: int | str) -> CatalogueEntry | None:
         """Return all about a satellite by number or by its whole name; of several with one name the newest epoch."""
         return next(iter(read_entries(self._connection, "WHERE satellite.key = ?", (self._key(satellite),))), None)
 
-    def entries(self) -> tuple[Entry, ...]:
+    def entries(self) -> tuple[CatalogueEntry, ...]:
         """Return all about every satellite, in the order of `all`."""
         return tuple(read_entries(self._connection))
 
-    def search(self, text: str, limit: int = 20) -> tuple[Entry, ...]:
+    def search(self, text: str, limit: int = 20) -> tuple[CatalogueEntry, ...]:
         """Search as one types; see `SearchIndex.search`. The index is built again only after a change."""
         return self.index().search(text, limit)
 
@@ -161,7 +161,7 @@ class Catalogue:
             self._index = version, SearchIndex(read_entries(self._connection))
         return self._index[1]
 
-    def favourites(self) -> tuple[Entry, ...]:
+    def favourites(self) -> tuple[CatalogueEntry, ...]:
         """Return the favourites, those of high priority first, then by name."""
         found = read_entries(self._connection, "WHERE note.favourite")
         return tuple(sorted(found, key=lambda each: (-each.priority, each.name.casefold())))

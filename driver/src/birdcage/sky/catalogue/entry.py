@@ -14,7 +14,7 @@ def key_of(elements: ElementSet) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class CatalogueEntry:
     """A satellite as the catalogue has it."""
 
     elements: ElementSet

@@ -11,7 +11,7 @@ from birdcage.sky.catalogue.schema import told
 
 
 @dataclass(frozen=True, slots=True)
-class Group:
+class CatalogueGroup:
     """A group, and what is known of the place that it is fetched from. Times are UTC; None for what never happened."""
 
     name: str
@@ -31,27 +31,27 @@ class Group:
     """Why the last try failed; None when it did not."""
 
 
-class Groups:
+class CatalogueGroups:
     """The groups of one catalogue; it belongs to the same thread."""
 
     def __init__(self, connection: sqlite3.Connection) -> None:
         self._connection = connection
 
-    def all(self) -> tuple[Group, ...]:
+    def all(self) -> tuple[CatalogueGroup, ...]:
         """Return every group that has satellites or was ever asked for, by name."""
         query = "SELECT group_name, count(*) FROM membership JOIN satellite USING (key) GROUP BY group_name"
         with told():
             counts = dict(self._connection.execute(query))
             states = {group.name: group for group in self._states(counts)}
         for name, count in counts.items():
-            states.setdefault(name, Group(name, count))
+            states.setdefault(name, CatalogueGroup(name, count))
         return tuple(states[name] for name in sorted(states))
 
-    def get(self, name: str) -> Group:
+    def get(self, name: str) -> CatalogueGroup:
         """Return one group; an empty one where nothing is known of it."""
-        return next((group for group in self.all() if group.name == name), Group(name))
+        return next((group for group in self.all() if group.name == name), CatalogueGroup(name))
 
-    def keep(self, group: Group) -> None:
+    def keep(self, group: CatalogueGroup) -> None:
         """Remember how a group's source stands."""
         values = (
             group.name, group.url, group.etag, group.last_modified, stamp(group.checked), stamp(group.fetched),
@@ -79,10 +79,10 @@ class Groups:
         until = None if row is None else datetime.fromisoformat(row[0])
         return None if until is None or until <= now else (until, row[1])
 
-    def _states(self, counts: dict[str, int]) -> Iterable[Group]:
+    def _states(self, counts: dict[str, int]) -> Iterable[CatalogueGroup]:
         query = "SELECT name, url, etag, last_modified, checked, fetched, paused_until, problem FROM source"
         for name, url, etag, modified, checked, fetched, paused, problem in self._connection.execute(query):
-            yield Group(
+            yield CatalogueGroup(
                 name, counts.get(name, 0), url, etag, modified, when(checked), when(fetched), when(paused), problem
             )
 

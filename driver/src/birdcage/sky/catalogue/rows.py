@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 from datetime import datetime
 
-from birdcage.sky.catalogue.entry import Entry
+from birdcage.sky.catalogue.entry import CatalogueEntry
 from birdcage.sky.catalogue.groups import stamp, when
 from birdcage.sky.catalogue.schema import told
 from birdcage.sky.elements import ElementSet
@@ -29,7 +29,9 @@ def elements_of(row: tuple[object, ...] | list[object]) -> ElementSet:
     return ElementSet(name, norad_id, datetime.fromisoformat(str(epoch)), *rest)  # type: ignore[arg-type]
 
 
-def read_entries(connection: sqlite3.Connection, where: str = "", values: tuple[str, ...] = ()) -> Iterator[Entry]:
+def read_entries(
+    connection: sqlite3.Connection, where: str = "", values: tuple[str, ...] = ()
+) -> Iterator[CatalogueEntry]:
     """Yield all about every satellite, or of those that `where` (our own SQL) with its `values` picks, by key.
 
     StoreError when the file cannot be read.
@@ -42,7 +44,7 @@ def read_entries(connection: sqlite3.Connection, where: str = "", values: tuple[
         groups = _several(connection, "SELECT key, group_name FROM membership ORDER BY group_name", rows)
         tags = _several(connection, "SELECT key, tag FROM tag ORDER BY tag", rows)
     for *columns, key, fetched, favourite, priority, offset_s, offset_set in rows:
-        yield Entry(
+        yield CatalogueEntry(
             elements_of(columns), datetime.fromisoformat(fetched), groups.get(key, ()), tags.get(key, ()),
             bool(favourite), priority or 0, offset_s, when(offset_set),
         )  # fmt: skip

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
-from birdcage.sky.catalogue.entry import Entry
+from birdcage.sky.catalogue.entry import CatalogueEntry
 
 _NOT_A_WORD = re.compile(r"[\W_]+")
 
@@ -17,7 +17,7 @@ _NOT_A_WORD = re.compile(r"[\W_]+")
 class SearchIndex:
     """Finds satellites by name, number, group, tag or international designator. Nothing in it changes."""
 
-    def __init__(self, entries: Iterable[Entry]) -> None:
+    def __init__(self, entries: Iterable[CatalogueEntry]) -> None:
         rows = sorted(entries, key=lambda each: (not each.favourite, -each.priority, each.name.casefold()))
         self._entries = tuple(rows)
         self._names = [f" {_plain(each.name)}" for each in rows]
@@ -39,7 +39,7 @@ class SearchIndex:
         """Return what all of them are called."""
         return tuple(each.name for each in self._entries if each.name)
 
-    def search(self, text: str, limit: int = 20) -> tuple[Entry, ...]:
+    def search(self, text: str, limit: int = 20) -> tuple[CatalogueEntry, ...]:
         """Return the best matches, best first.
 
         First the very number, then names that begin so, names with a word that begins so, numbers that begin so,

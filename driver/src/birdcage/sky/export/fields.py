@@ -12,9 +12,9 @@ from birdcage.sky.downlinks_words import downlink_values
 from birdcage.sky.pass_row import PassRow
 
 if TYPE_CHECKING:
-    from birdcage.sky.downlinks_hearing import Hearing
+    from birdcage.sky.downlinks_hearing import FeedHearing
 
-Heard = Callable[[int, str], "Hearing | None"]
+Heard = Callable[[int, str], "FeedHearing | None"]
 """Which downlink of a satellite is listened to, by number and name."""
 SIGNAL = ("mode", "polarization", "symbol_rate_baud", "pipeline", "date", "doubtful")
 """What a pass tells of the downlink that is heard, each with `downlink_` before it."""
@@ -78,7 +78,7 @@ def values_of(
     return values
 
 
-def _signal(heard: Hearing | None, now: datetime) -> dict[str, object]:
+def _signal(heard: FeedHearing | None, now: datetime) -> dict[str, object]:
     known = {} if heard is None else downlink_values(heard.downlink, now)
     freq_hz = None if heard is None else heard.center_hz
     return {"downlink_hz": freq_hz, **{f"downlink_{name}": known.get(name) for name in SIGNAL}}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.sky.formats.harvest import Complaint, Group, Harvest
+from birdcage.sky.formats.parse_result import Complaint, NumberGroup, ParseResult
 from birdcage.sky.formats.read import read_path, read_text
 
-__all__ = ["Complaint", "Group", "Harvest", "read_path", "read_text"]
+__all__ = ["Complaint", "NumberGroup", "ParseResult", "read_path", "read_text"]

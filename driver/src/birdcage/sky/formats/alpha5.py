@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.sky.formats.harvest import Unreadable
+from birdcage.sky.formats.parse_result import Unreadable
 
 LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ"
 """For 10 to 33; I and O are left out because they look like digits."""

@@ -10,14 +10,14 @@ import re
 from birdcage.base.text import clean
 from birdcage.sky.formats import lines as text_lines
 from birdcage.sky.formats import tle
-from birdcage.sky.formats.harvest import Basket, Group, Unreadable
 from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.parse_result import NumberGroup, ParseCollector, Unreadable
 
 _KEY = re.compile(r"([A-Za-z][A-Za-z0-9_]*)\s*=\s*(.*)").fullmatch
 _NUMBER = re.compile(r"\d{1,9}", re.ASCII).fullmatch
 
 
-def read_sections(lines: Lines, start: int, basket: Basket) -> int:
+def read_sections(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read sections from line `start` (counted from 0); return the line where something else begins."""
     section = start
     values: dict[str, tuple[int, str]] = {}
@@ -38,7 +38,7 @@ def read_sections(lines: Lines, start: int, basket: Basket) -> int:
     return len(lines)
 
 
-def _satellite(section: int, values: dict[str, tuple[int, str]], basket: Basket) -> None:
+def _satellite(section: int, values: dict[str, tuple[int, str]], basket: ParseCollector) -> None:
     first, second = values.get("TLE1"), values.get("TLE2")
     if first is None or second is None:
         basket.complain(section, f"{'TLE1' if first is None else 'TLE2'} is missing in this section")
@@ -56,7 +56,7 @@ def is_group(lines: Lines) -> bool:
     return len(full) > 1 and not _NUMBER(full[0]) and all(map(_NUMBER, full[1:]))
 
 
-def read_group(lines: Lines, basket: Basket) -> None:
+def read_group(lines: Lines, basket: ParseCollector) -> None:
     """Read a `.cat` file: its first line is the title, each further one a catalogue number."""
     title = ""
     numbers: list[int] = []
@@ -71,6 +71,6 @@ def read_group(lines: Lines, basket: Basket) -> None:
         else:
             basket.complain(at, f"{text[:40]!r} is not a catalogue number")
     if title:
-        basket.groups.append(Group(clean(title), tuple(numbers), basket.source))
+        basket.groups.append(NumberGroup(clean(title), tuple(numbers), basket.source))
     else:
         basket.complain(0, "the group has no title: the file is empty")

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from birdcage.base.text import clean
 from birdcage.sky.elements import ElementSet
-from birdcage.sky.formats.harvest import Unreadable
+from birdcage.sky.formats.parse_result import Unreadable
 
 FASTEST_REV_DAY = 18.0
 """An orbit along the ground takes 17.07 revolutions a day; a satellite in its last hours comes close to that."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from datetime import UTC, datetime, timedelta
 
-from birdcage.sky.formats.harvest import Unreadable
+from birdcage.sky.formats.parse_result import Unreadable
 
 _DECIMAL = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,4})?", re.ASCII).fullmatch
 _INTEGER = re.compile(r"[-+]?\d{1,18}", re.ASCII).fullmatch

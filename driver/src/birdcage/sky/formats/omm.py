@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from birdcage.sky.elements import ElementSet
-from birdcage.sky.formats.harvest import Unreadable
 from birdcage.sky.formats.limits import checked
 from birdcage.sky.formats.numbers import decimal, epoch, integer
+from birdcage.sky.formats.parse_result import Unreadable
 
 SGP4_XP = 4
 """The ephemeris type of elements for another theory than SGP4."""

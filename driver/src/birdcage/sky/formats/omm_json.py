@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from itertools import accumulate
 
 from birdcage.sky.formats import omm, tle
-from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines, kind
+from birdcage.sky.formats.parse_result import ParseCollector, Unreadable
 from birdcage.sky.formats.tle_text import name_of
 
 _GAP = re.compile(r"[\s,]*").match
@@ -34,7 +34,7 @@ class _Text:
         return self._start + bisect_right(self._starts, place)
 
 
-def read(lines: Lines, start: int, basket: Basket) -> int:
+def read(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read arrays and objects from line `start` (counted from 0); return the line after them."""
     text = _Text(lines, start)
     body = text.body
@@ -69,7 +69,7 @@ def read(lines: Lines, start: int, basket: Basket) -> int:
             return text.line(place)
 
 
-def _object(text: _Text, place: int, basket: Basket) -> int:
+def _object(text: _Text, place: int, basket: ParseCollector) -> int:
     """Read the object that begins at a place; return where to go on."""
     try:
         found, end = _SCAN(text.body, place)
@@ -87,7 +87,7 @@ def _object(text: _Text, place: int, basket: Basket) -> int:
     return end
 
 
-def _take(found: Mapping[str, object], text: _Text, place: int, end: int, basket: Basket) -> None:
+def _take(found: Mapping[str, object], text: _Text, place: int, end: int, basket: ParseCollector) -> None:
     """Put one object's elements into the basket; look into one that only wraps lists."""
     fields = {key.upper(): value for key, value in found.items()}
     try:

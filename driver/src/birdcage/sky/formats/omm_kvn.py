@@ -6,8 +6,8 @@ import re
 
 from birdcage.sky.formats import lines as text_lines
 from birdcage.sky.formats import omm
-from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.parse_result import ParseCollector, Unreadable
 from birdcage.sky.formats.tle import type_of_line
 
 _WITH_UNIT = re.compile(r"([-+.\deE]+)\s*\[[^\]]*\]").fullmatch
@@ -22,7 +22,7 @@ class _Message:
         self.lines: dict[str, int] = {}
         self.damaged = False
 
-    def settle(self, basket: Basket) -> None:
+    def settle(self, basket: ParseCollector) -> None:
         """Put its elements into the basket; a header alone is nothing."""
         if self.damaged or self.fields.keys() <= _HEADER:
             return
@@ -35,7 +35,7 @@ class _Message:
             basket.complain(self.lines.get(unreadable.where, first), why)
 
 
-def read(lines: Lines, start: int, basket: Basket) -> int:
+def read(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read messages from line `start` (counted from 0); return the line where another format begins."""
     message = _Message()
     at = start

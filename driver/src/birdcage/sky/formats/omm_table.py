@@ -6,12 +6,12 @@ import csv
 
 from birdcage.sky.formats import lines as text_lines
 from birdcage.sky.formats import omm
-from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.parse_result import ParseCollector, Unreadable
 from birdcage.sky.formats.tle import type_of_line
 
 
-def read(lines: Lines, start: int, basket: Basket) -> int:
+def read(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read the table whose head is line `start` (counted from 0); return the line after it."""
     comma = text_lines.delimiter(lines[start]) or ","
     columns = [cell.strip().upper() for cell in next(csv.reader([lines[start]], delimiter=comma))]
@@ -40,7 +40,7 @@ def _ends(lines: Lines, at: int, comma: str) -> bool:
     return text_lines.kind(lines, at) == "table" or line[0] in "<{" or line.startswith("[{")
 
 
-def _row(line: str, number: int, columns: list[str], comma: str, basket: Basket) -> None:
+def _row(line: str, number: int, columns: list[str], comma: str, basket: ParseCollector) -> None:
     try:
         cells = next(csv.reader([line], delimiter=comma, strict=True))
     except csv.Error as error:

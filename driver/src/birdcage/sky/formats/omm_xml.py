@@ -12,8 +12,8 @@ from itertools import accumulate
 from xml.parsers import expat
 
 from birdcage.sky.formats import omm
-from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.parse_result import ParseCollector, Unreadable
 
 DEEPEST = 30
 """Levels inside one message; five are used."""
@@ -23,7 +23,7 @@ _OPEN = re.compile(r"<(?:[\w.-]+:)?omm[\s>]")
 _CLOSE = re.compile(r"</(?:[\w.-]+:)?omm\s*>")
 
 
-def read(lines: Lines, start: int, basket: Basket) -> int:
+def read(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read one document from line `start` (counted from 0); return the line after it."""
     body = "\n".join(lines[start:])
     starts = list(accumulate((len(line) + 1 for line in lines[start:]), initial=0))
@@ -103,7 +103,7 @@ class _Leaves:
         self._text.clear()
 
 
-def _message(body: str, first_line: int, basket: Basket) -> None:
+def _message(body: str, first_line: int, basket: ParseCollector) -> None:
     leaves = _Leaves(first_line)
     try:
         leaves.parser.Parse(body, True)

@@ -10,8 +10,8 @@ from pathlib import Path
 from birdcage.base.text import clean
 from birdcage.base.user_file import read_user_file
 from birdcage.sky.formats import gpredict, omm_json, omm_kvn, omm_table, omm_xml, tle_text
-from birdcage.sky.formats.harvest import Basket, Complaint, Harvest
 from birdcage.sky.formats.lines import Lines, kind, split
+from birdcage.sky.formats.parse_result import Complaint, ParseCollector, ParseResult
 
 LARGEST_FILE = 200_000_000
 """Bytes. All of the world's catalogue as XML is a quarter of this."""
@@ -27,7 +27,7 @@ _PACKED = (b"\x1f\x8b", b"PK\x03\x04", b"BZh", b"\xfd7zXZ\0")
 _BINARY = re.compile(r"[\x00-\x08\x0e-\x19\x1c-\x1f\x7f]")
 """What no text holds. Escape sequences in a name are somebody's joke: they go, and the line is good."""
 
-_READERS: dict[str, Callable[[Lines, int, Basket], int]] = {
+_READERS: dict[str, Callable[[Lines, int, ParseCollector], int]] = {
     "tle": tle_text.read,
     "json": omm_json.read,
     "table": omm_table.read,
@@ -37,12 +37,12 @@ _READERS: dict[str, Callable[[Lines, int, Basket], int]] = {
 }
 
 
-def read_text(text: str, source: str) -> Harvest:
+def read_text(text: str, source: str) -> ParseResult:
     """Return what a text holds, one format or several one after another. `source` is what complaints call it."""
     return _read(text, source, group=False)
 
 
-def read_path(path: Path) -> Harvest:
+def read_path(path: Path) -> ParseResult:
     """Return what a file holds, or all files of a folder whose names end like element sets; folders in it are not read.
 
     A file that cannot be opened or is no text is a complaint like any other.
@@ -56,15 +56,15 @@ def read_path(path: Path) -> Harvest:
     if not files:
         return _nothing(path, f"no file in this folder ends in {', '.join(sorted(FOLDER_SUFFIXES))}")
     parts = [_read_file(file) for file in files]
-    return Harvest(
+    return ParseResult(
         tuple(item for part in parts for item in part.elements),
         tuple(item for part in parts for item in part.complaints),
         tuple(item for part in parts for item in part.groups),
     )
 
 
-def _read(text: str, source: str, *, group: bool) -> Harvest:
-    basket, lines = Basket(source), split(text)
+def _read(text: str, source: str, *, group: bool) -> ParseResult:
+    basket, lines = ParseCollector(source), split(text)
     if _BINARY.search(text):
         _name_binary(lines, basket)
     if group or gpredict.is_group(lines):
@@ -81,7 +81,7 @@ def _read(text: str, source: str, *, group: bool) -> Harvest:
     return basket.harvest()
 
 
-def _read_file(path: Path) -> Harvest:
+def _read_file(path: Path) -> ParseResult:
     try:
         raw = read_user_file(path, LARGEST_FILE)
     except OSError as error:
@@ -92,7 +92,7 @@ def _read_file(path: Path) -> Harvest:
     return _read(text, str(path), group=path.suffix.lower() == ".cat")
 
 
-def _name_binary(lines: list[str], basket: Basket) -> None:
+def _name_binary(lines: list[str], basket: ParseCollector) -> None:
     """Name the lines that hold bytes of no text. They are not taken out: `1.0` and `5` around one are no `1.05`."""
     for number, line in enumerate(lines, 1):
         count = len(_BINARY.findall(line))
@@ -101,8 +101,8 @@ def _name_binary(lines: list[str], basket: Basket) -> None:
             lines[number - 1] = _BINARY.sub("\ufffd", line)
 
 
-def _nothing(path: Path, why: str) -> Harvest:
-    return Harvest(complaints=(Complaint(clean(str(path)), 0, clean(why)),))
+def _nothing(path: Path, why: str) -> ParseResult:
+    return ParseResult(complaints=(Complaint(clean(str(path)), 0, clean(why)),))
 
 
 def _decoded(raw: bytes) -> str | None:

@@ -13,8 +13,8 @@ from functools import cache
 
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.formats import alpha5
-from birdcage.sky.formats.harvest import Unreadable
 from birdcage.sky.formats.limits import checked
+from birdcage.sky.formats.parse_result import Unreadable
 
 LENGTH = 69
 BODY = 68

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from birdcage.sky.formats import lines as text_lines
 from birdcage.sky.formats import tle
-from birdcage.sky.formats.harvest import Basket, Unreadable
 from birdcage.sky.formats.lines import Lines
+from birdcage.sky.formats.parse_result import ParseCollector, Unreadable
 
 LONGEST_NAME = 60
 """Providers write up to 25 characters; more than this is not a name but a damaged line, or prose."""
@@ -17,7 +17,7 @@ NOTHING_FOUND = ("no gp data found", "no supgp data found", "no results returned
 class _Stray:
     """Consecutive lines that belong to nothing: one complaint says it for all."""
 
-    def __init__(self, basket: Basket) -> None:
+    def __init__(self, basket: ParseCollector) -> None:
         self._basket = basket
         self._first = 0
         self._last = 0
@@ -47,7 +47,7 @@ def name_of(line: str) -> str:
     return line[2:].strip() if line.startswith("0 ") else line
 
 
-def read(lines: Lines, start: int, basket: Basket) -> int:
+def read(lines: Lines, start: int, basket: ParseCollector) -> int:
     """Read from line `start` (counted from 0) to where another format begins; return that line."""
     stray = _Stray(basket)
     name: tuple[int, str] | None = None

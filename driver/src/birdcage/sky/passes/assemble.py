@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.frames import Floats
 from birdcage.sky.passes.exact import RISE, SET, TURN, Events
-from birdcage.sky.passes.ground import Ground
+from birdcage.sky.passes.ground import ObserverTrack
 from birdcage.sky.passes.nodes import Indices
 from birdcage.sky.passes.table import Failure, PassTable
 
 
 def assemble(
-    fleet: Sequence[ElementSet], base: int, ground: Ground, events: Events, first: Floats, last: Floats,
+    fleet: Sequence[ElementSet], base: int, ground: ObserverTrack, events: Events, first: Floats, last: Floats,
     span_s: float, failed: tuple[Failure, ...],
 ) -> PassTable:  # fmt: skip
     """Return the passes that these events make.
@@ -51,7 +51,7 @@ def assemble(
 
 
 def _with_ends(
-    ground: Ground, events: Events, first: Floats, last: Floats, span_s: float
+    ground: ObserverTrack, events: Events, first: Floats, last: Floats, span_s: float
 ) -> tuple[Indices, NDArray[np.int8], Floats, Floats, NDArray[np.bool_]]:
     """Return the events in order, with a rise at the start and a set at the end for who is up there.
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from birdcage.sky.frames import Floats
 from birdcage.sky.passes import quintic
-from birdcage.sky.passes.ground import Ground
+from birdcage.sky.passes.ground import ObserverTrack
 from birdcage.sky.passes.nodes import Indices, Intervals
 
 PARTS = 12
@@ -31,7 +31,7 @@ class Brackets:
 
 
 @dataclass(frozen=True, slots=True)
-class Found:
+class AllBrackets:
     """All brackets of a number of intervals."""
 
     crossings: Brackets
@@ -45,7 +45,7 @@ class Found:
     mask, or a minimum between two above it."""
 
 
-def find(ground: Ground, intervals: Intervals) -> Found:
+def find(ground: ObserverTrack, intervals: Intervals) -> AllBrackets:
     """Return where satellites cross the mask or turn."""
     total = len(intervals.begin_s)
     parts = [
@@ -53,7 +53,7 @@ def find(ground: Ground, intervals: Intervals) -> Found:
     ] or [_find(ground, intervals, np.arange(0))]
     if len(parts) == 1:
         return parts[0]
-    return Found(
+    return AllBrackets(
         crossings=_join([part.crossings for part in parts]),
         rising=np.concatenate([part.rising for part in parts]),
         turns=_join([part.turns for part in parts]),
@@ -62,7 +62,7 @@ def find(ground: Ground, intervals: Intervals) -> Found:
     )
 
 
-def _find(ground: Ground, intervals: Intervals, batch: Indices) -> Found:
+def _find(ground: ObserverTrack, intervals: Intervals, batch: Indices) -> AllBrackets:
     grid = np.linspace(0.0, 1.0, PARTS + 1)
     part = slice(batch[0], batch[-1] + 1) if len(batch) else slice(0, 0)
     begin, h = intervals.begin_s[part], intervals.length_s[part]
@@ -83,7 +83,7 @@ def _find(ground: Ground, intervals: Intervals, batch: Indices) -> Found:
     turns = Brackets(batch[at], grid[step], grid[step + 1], grid[step] + (grid[1] - grid[0]) * first / (first - second))
     highest = climbing[step, at]
     lonely = ~highest | ~(up[step, at] | up[step + 1, at])
-    return Found(crossings, rising, turns, highest, lonely)
+    return AllBrackets(crossings, rising, turns, highest, lonely)
 
 
 def _join(parts: list[Brackets]) -> Brackets:

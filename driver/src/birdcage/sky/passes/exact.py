@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from birdcage.sky import propagate
 from birdcage.sky.frames import Floats, julian
-from birdcage.sky.passes.ground import Ground
+from birdcage.sky.passes.ground import ObserverTrack
 from birdcage.sky.passes.newton import crossing_step, turning_step
 from birdcage.sky.passes.nodes import Indices, Intervals
 from birdcage.sky.passes.quintic import acceleration
@@ -81,7 +81,9 @@ class Events:
 class Exact:
     """SGP4 for the satellites of one search."""
 
-    def __init__(self, satrecs: Sequence[propagate.Record], ground: Ground, offsets: Mapping[int, float]) -> None:
+    def __init__(
+        self, satrecs: Sequence[propagate.Record], ground: ObserverTrack, offsets: Mapping[int, float]
+    ) -> None:
         self._satrecs = satrecs
         self._ground = ground
         self._offsets = offsets

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from birdcage.sky.dut1 import LEAP_S
-from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, Site, dut1_at, sidereal_rad
+from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, SiteVectors, dut1_at, sidereal_rad
 from birdcage.sky.observer import Observer
 
 
@@ -34,10 +34,10 @@ class Course:
 
 
 @dataclass(frozen=True, slots=True)
-class Ground:
+class ObserverTrack:
     """One observer from one moment on."""
 
-    site: Site
+    site: SiteVectors
     start_s: float
     """POSIX seconds of the start of the search."""
     angle_rad: float
@@ -48,9 +48,9 @@ class Ground:
     """The sine of the elevation that counts as up."""
 
     @classmethod
-    def of(cls, observer: Observer, start_s: float, span_s: float, min_elevation_deg: float) -> Ground:
+    def of(cls, observer: Observer, start_s: float, span_s: float, min_elevation_deg: float) -> ObserverTrack:
         """Return the ground for a search that starts at `start_s` (POSIX)."""
-        site = Site.of(observer)
+        site = SiteVectors.of(observer)
         begin, end = dut1_at([start_s, start_s + span_s]).tolist()
         if end - begin > LEAP_S:
             end -= 1.0  # neither POSIX time nor SGP4 counts the leap second

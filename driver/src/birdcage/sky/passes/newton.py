@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from birdcage.sky.frames import Floats
 from birdcage.sky.passes import quintic
 from birdcage.sky.passes.brackets import Brackets
-from birdcage.sky.passes.ground import Course, Ground
+from birdcage.sky.passes.ground import Course, ObserverTrack
 from birdcage.sky.passes.nodes import Intervals
 
 _TURN_STEPS = 3
@@ -51,7 +51,9 @@ class Turns:
     """The sine of the elevation over the mask's."""
 
 
-def turning_points(ground: Ground, intervals: Intervals, brackets: Brackets, highest: NDArray[np.bool_]) -> Turns:
+def turning_points(
+    ground: ObserverTrack, intervals: Intervals, brackets: Brackets, highest: NDArray[np.bool_]
+) -> Turns:
     """Return the turning point in each bracket: a maximum where `highest`, else a minimum."""
     begin, h = intervals.begin_s[brackets.interval], intervals.length_s[brackets.interval]
     c = intervals.c[:, :, brackets.interval]
@@ -65,7 +67,7 @@ def turning_points(ground: Ground, intervals: Intervals, brackets: Brackets, hig
     return Turns(s, course.sine - ground.sin_mask)
 
 
-def crossings(ground: Ground, intervals: Intervals, brackets: Brackets, rising: NDArray[np.bool_]) -> Floats:
+def crossings(ground: ObserverTrack, intervals: Intervals, brackets: Brackets, rising: NDArray[np.bool_]) -> Floats:
     """Return where in its interval (0 to 1) each bracket's crossing of the mask is."""
     begin, h = intervals.begin_s[brackets.interval], intervals.length_s[brackets.interval]
     c = intervals.c[:, :, brackets.interval]

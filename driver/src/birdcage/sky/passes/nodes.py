@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from birdcage.sky import propagate
 from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats, julian
-from birdcage.sky.passes.ground import Ground
+from birdcage.sky.passes.ground import ObserverTrack
 from birdcage.sky.passes.orbits import MU_KM3_S2, Orbits
 from birdcage.sky.passes.quintic import coefficients
 
@@ -45,7 +45,7 @@ class Intervals:
 
 
 @dataclass(frozen=True, slots=True)
-class Stop:
+class OrbitEnd:
     """SGP4 gave no position for one satellite from some time on."""
 
     satellite: int
@@ -62,7 +62,7 @@ class Sampled:
     intervals: Intervals
     last: Floats
     """Positions at the end of the search (n, 3), for the satellites of the group in order; NaN where there is none."""
-    stops: tuple[Stop, ...]
+    stops: tuple[OrbitEnd, ...]
 
 
 def groups(orbits: Orbits, chosen: Indices, offsets: Mapping[int, float]) -> list[tuple[float, float, Indices]]:
@@ -75,7 +75,8 @@ def groups(orbits: Orbits, chosen: Indices, offsets: Mapping[int, float]) -> lis
 
 
 def sample(
-    satrecs: Sequence[propagate.Record], ground: Ground, orbits: Orbits, members: Indices, span_s: float, step_s: float,
+    satrecs: Sequence[propagate.Record], ground: ObserverTrack, orbits: Orbits, members: Indices, span_s: float,
+    step_s: float,
     offset_s: float,
 ) -> Sampled:  # fmt: skip
     """Run SGP4 over the nodes of one group; keep the intervals that may hold something above the mask."""
@@ -83,7 +84,7 @@ def sample(
     t = np.linspace(0.0, span_s, count)
     day, part = julian(ground.start_s - offset_s + t)
     error, r, v = propagate.over_grid([satrecs[index] for index in members], day, part)
-    stops: tuple[Stop, ...] = ()
+    stops: tuple[OrbitEnd, ...] = ()
     if error.any():
         stops = _stops(error, members, t)
         r[np.maximum.accumulate(error != 0, axis=1)] = np.nan  # from the first error on: a gap would join two passes
@@ -94,7 +95,9 @@ def sample(
     return Sampled(Intervals(members[who], t[node], lengths, c), r[:, -1], stops)
 
 
-def _may_be_up(ground: Ground, orbits: Orbits, members: Indices, t: Floats, r: Floats, v: Floats) -> NDArray[np.bool_]:
+def _may_be_up(
+    ground: ObserverTrack, orbits: Orbits, members: Indices, t: Floats, r: Floats, v: Floats
+) -> NDArray[np.bool_]:
     """Return (n, intervals): False where the satellite certainly stays below the horizon's plane.
 
     g = p . up is known at the nodes with two derivatives, and so at the middle. Between two points that are h/2
@@ -125,9 +128,9 @@ def _may_be_up(ground: Ground, orbits: Orbits, members: Indices, t: Floats, r: F
     return np.asarray(highest > (lowest - bound)[:, None])
 
 
-def _stops(error: NDArray[np.uint8], members: Indices, t: Floats) -> tuple[Stop, ...]:
+def _stops(error: NDArray[np.uint8], members: Indices, t: Floats) -> tuple[OrbitEnd, ...]:
     first = (error != 0).argmax(axis=1)
     return tuple(
-        Stop(int(members[row]), int(error[row, first[row]]), float(t[first[row]]))
+        OrbitEnd(int(members[row]), int(error[row, first[row]]), float(t[first[row]]))
         for row in np.flatnonzero(error.any(axis=1))
     )

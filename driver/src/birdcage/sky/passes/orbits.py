@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.sky.frames import SIDEREAL_RATE_RAD_S, Floats
-from birdcage.sky.passes.ground import Ground
+from birdcage.sky.passes.ground import ObserverTrack
 
 MU_KM3_S2 = 398600.8
 """WGS72, as in SGP4."""
@@ -54,7 +54,7 @@ class Orbits:
             inclination_rad=np.arccos(np.clip(momentum[:, 2] / h, -1.0, 1.0)),
         )
 
-    def may_rise(self, ground: Ground) -> NDArray[np.bool_]:
+    def may_rise(self, ground: ObserverTrack) -> NDArray[np.bool_]:
         """Return who comes near enough to the observer's latitude to be seen above the mask; False for NaN."""
         mask = math.asin(ground.sin_mask)
         cap = np.arccos(np.clip(math.cos(mask) * _SMALLEST_EARTH_KM / self.apogee_km, -1.0, 1.0)) - mask

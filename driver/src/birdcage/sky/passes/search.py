@@ -26,8 +26,8 @@ from birdcage.sky.observer import Observer
 from birdcage.sky.passes import brackets, newton
 from birdcage.sky.passes.assemble import assemble
 from birdcage.sky.passes.exact import RISE, SET, TURN, Events, Exact, Guesses
-from birdcage.sky.passes.ground import Ground
-from birdcage.sky.passes.nodes import Intervals, Stop, groups, sample
+from birdcage.sky.passes.ground import ObserverTrack
+from birdcage.sky.passes.nodes import Intervals, OrbitEnd, groups, sample
 from birdcage.sky.passes.orbits import Orbits
 from birdcage.sky.passes.table import Failure, PassTable
 from birdcage.sky.propagate import Codes, Fleet, sgp4_complaint
@@ -68,16 +68,16 @@ def search_in_parts(
     return _parts(fleet, ground, hours * 3600.0, time_offsets or {}, _FIRST_PART)
 
 
-def _ground(observer: Observer, start: datetime, hours: float, min_elevation_deg: float) -> Ground:
+def _ground(observer: Observer, start: datetime, hours: float, min_elevation_deg: float) -> ObserverTrack:
     if not (math.isfinite(hours) and hours > 0.0):
         raise ValueError(f"no span to search: {hours} hours")
     if not abs(min_elevation_deg) < 90.0:
         raise ValueError(f"no elevation to rise above: {min_elevation_deg} degrees")
-    return Ground.of(observer, posix_s(start), hours * 3600.0, min_elevation_deg)
+    return ObserverTrack.of(observer, posix_s(start), hours * 3600.0, min_elevation_deg)
 
 
 def _parts(
-    fleet: Fleet, ground: Ground, span_s: float, time_offsets: Mapping[int, float], part: int
+    fleet: Fleet, ground: ObserverTrack, span_s: float, time_offsets: Mapping[int, float], part: int
 ) -> Iterator[PassTable]:
     begin = 0
     error, r, v = fleet.states(ground.start_s, time_offsets)
@@ -90,7 +90,7 @@ def _parts(
 
 
 def _search(
-    fleet: Fleet, base: int, ground: Ground, span_s: float, offsets: Mapping[int, float],
+    fleet: Fleet, base: int, ground: ObserverTrack, span_s: float, offsets: Mapping[int, float],
     error: Codes, first: Floats, velocity: Floats,
 ) -> PassTable:  # fmt: skip
     """Search the satellites from `base` on, of which error, position and velocity at the start are given.
@@ -100,7 +100,7 @@ def _search(
     satrecs = fleet.satrecs[base : base + len(first)]
     orbits = Orbits.of(first, velocity)
     last = np.full_like(first, np.nan)
-    stops = [Stop(int(index), int(error[index]), 0.0) for index in np.flatnonzero(error)]
+    stops = [OrbitEnd(int(index), int(error[index]), 0.0) for index in np.flatnonzero(error)]
     kept: list[Intervals] = []
     for step_s, offset_s, members in groups(orbits, np.flatnonzero(orbits.may_rise(ground)), offsets):
         batch = max(1, int(_STATES / (span_s / step_s + 2.0)))
@@ -113,7 +113,7 @@ def _search(
     return assemble(fleet, base, ground, events, first, last, span_s, _failures(fleet, base, ground, stops))
 
 
-def _failures(fleet: Fleet, base: int, ground: Ground, stops: list[Stop]) -> tuple[Failure, ...]:
+def _failures(fleet: Fleet, base: int, ground: ObserverTrack, stops: list[OrbitEnd]) -> tuple[Failure, ...]:
     return tuple(
         Failure(
             fleet_index=base + stop.satellite,
@@ -126,7 +126,7 @@ def _failures(fleet: Fleet, base: int, ground: Ground, stops: list[Stop]) -> tup
     )
 
 
-def _events(ground: Ground, intervals: Intervals, exact: Exact) -> Events:
+def _events(ground: ObserverTrack, intervals: Intervals, exact: Exact) -> Events:
     """Return the rises, sets and highest points of all intervals, where SGP4 puts them."""
     found = brackets.find(ground, intervals)
     turns = newton.turning_points(ground, intervals, found.turns, found.highest)
@@ -142,7 +142,7 @@ def _events(ground: Ground, intervals: Intervals, exact: Exact) -> Events:
     return exact.refine(guesses)
 
 
-def _turns(intervals: Intervals, found: brackets.Found, turns: newton.Turns, which: NDArray[np.bool_]) -> Guesses:
+def _turns(intervals: Intervals, found: brackets.AllBrackets, turns: newton.Turns, which: NDArray[np.bool_]) -> Guesses:
     s = turns.s[which]
     return Guesses.on(intervals, found.turns.interval[which], s, np.full(len(s), TURN))
 

@@ -18,7 +18,7 @@ _TIGHT_COMMA = re.compile(r"(?<=\d),(?=\d)")
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class AxisWish:
     """What is wished of one axis: an angle, or with `relative` a way from where it was sent last."""
 
     deg: float
@@ -29,8 +29,8 @@ class Part:
 class Wish:
     """A direction as typed. An axis that is None stays where it is."""
 
-    az: Part | None = None
-    el: Part | None = None
+    az: AxisWish | None = None
+    el: AxisWish | None = None
 
 
 def refuse_two_ways(text: str) -> None:
@@ -56,7 +56,7 @@ def read_direction(text: str) -> Wish:
     words = [word for word in re.split(r"[;/\s]+|(?<!\d),|,(?!\d)", keyed) if word]
     if len(words) == 1:
         words = _pair(words[0])
-    parts: dict[str, Part] = {}
+    parts: dict[str, AxisWish] = {}
     for word in words:
         axis, value = ("", word) if "=" not in word else word.split("=", 1)
         if not axis:
@@ -81,9 +81,9 @@ def _pair(word: str) -> list[str]:
     return [word]
 
 
-def _part(axis: str, word: str) -> Part:
+def _part(axis: str, word: str) -> AxisWish:
     if axis == "a" and word.upper() in WINDS:
-        return Part(WINDS.index(word.upper()) * 22.5)
+        return AxisWish(WINDS.index(word.upper()) * 22.5)
     number = _TIGHT_COMMA.sub(".", word)
     if number.count(".") > 1 and "," in word:
         raise ValueError(f"{word} has two meanings. Type 180.5 45 with points, or 180,5 45 with a space.")
@@ -96,4 +96,4 @@ def _part(axis: str, word: str) -> Part:
         raise ValueError(f"Azimuth {word} is more than a full turn. Type 0 to 360.")
     if axis == "e" and abs(value) > HALF_TURN_DEG:
         raise ValueError(f"Elevation {word} is out of range: 0 is the horizon, 90 the zenith.")
-    return Part(value, relative)
+    return AxisWish(value, relative)

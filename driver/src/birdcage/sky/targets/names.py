@@ -26,7 +26,7 @@ def names_of(name: str) -> frozenset[str]:
 
 
 @dataclass(frozen=True, slots=True)
-class Silence:
+class OffAir:
     """That a satellite is off the air, and who says so."""
 
     since: str
@@ -49,7 +49,7 @@ class Silence:
 
 
 @dataclass(frozen=True, slots=True)
-class Sender:
+class NamedSender:
     """A satellite, or a fleet, of the table of downlinks."""
 
     name: str
@@ -59,7 +59,7 @@ class Sender:
     """Its place on the arc, east positive; None for what moves."""
     names: tuple[str, ...]
     """What else it is called; `*` stands for anything."""
-    silence: Silence | None
+    silence: OffAir | None
     """None if anything of it is on the air, or that is not known."""
 
     @property
@@ -83,7 +83,7 @@ class Sender:
         return any(self.is_called(each) for each in names_of(name))
 
 
-def senders(downlinks: Iterable[Downlink]) -> tuple[Sender, ...]:
+def senders(downlinks: Iterable[Downlink]) -> tuple[NamedSender, ...]:
     """Return the satellites of a table, in its order: one for each number, or name where there is none."""
     rows: dict[object, list[Downlink]] = {}
     for each in downlinks:
@@ -91,17 +91,17 @@ def senders(downlinks: Iterable[Downlink]) -> tuple[Sender, ...]:
     return tuple(map(_sender, rows.values()))
 
 
-def _sender(rows: list[Downlink]) -> Sender:
+def _sender(rows: list[Downlink]) -> NamedSender:
     first = rows[0]
     names = dict.fromkeys(name for row in rows for name in (row.satellite, *row.names))
     names.pop(first.satellite)
     place = next((row.longitude_deg for row in rows if row.longitude_deg is not None), None)
-    return Sender(first.satellite, first.norad_id, place, tuple(names), _silence(rows))
+    return NamedSender(first.satellite, first.norad_id, place, tuple(names), _silence(rows))
 
 
-def _silence(rows: list[Downlink]) -> Silence | None:
+def _silence(rows: list[Downlink]) -> OffAir | None:
     if any(row.alive is not False for row in rows):
         return None
     last = max(rows, key=lambda row: row.silent_since)
     # What the source says, and the sources of frequency and polarisation, stand behind it.
-    return Silence(last.silent_since, last.date, last.source.split(";")[0].split(": ")[0].strip())
+    return OffAir(last.silent_since, last.date, last.source.split(";")[0].split(": ")[0].strip())

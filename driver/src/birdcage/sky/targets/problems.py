@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
-from birdcage.sky.targets.names import Sender, plain
-from birdcage.sky.targets.resolution import Candidate, Resolution, Searchable
+from birdcage.sky.targets.names import NamedSender, plain
+from birdcage.sky.targets.resolution import Resolution, Searchable, TargetCandidate
 
 UNDERSTOOD = (
     "Type a satellite's name or number, sun, moon, a planet, polaris, cas a, 28.2E, dish 119 or QO-100. Directions "
@@ -33,7 +33,7 @@ def unknown(typed: str, names: Iterable[str]) -> Resolution:
     return Resolution(typed, reason="unknown", problem=problem)
 
 
-def ambiguous(typed: str, found: Sequence[Candidate]) -> Resolution:
+def ambiguous(typed: str, found: Sequence[TargetCandidate]) -> Resolution:
     """Several have it in their names."""
     more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
     names = ", ".join(each.words for each in found[:TOLD])
@@ -41,7 +41,7 @@ def ambiguous(typed: str, found: Sequence[Candidate]) -> Resolution:
     return Resolution(typed, reason="ambiguous", problem=problem, candidates=tuple(found))
 
 
-def only_silent(typed: str, found: Candidate) -> Resolution:
+def only_silent(typed: str, found: TargetCandidate) -> Resolution:
     """The only one that has it in its name is off the air: a person may mean another, or has to say so."""
     assert found.silence is not None, "it is silent"
     problem = (
@@ -51,7 +51,7 @@ def only_silent(typed: str, found: Candidate) -> Resolution:
     return Resolution(typed, reason="silent", problem=problem, candidates=(found,))
 
 
-def absent(typed: str, sender: Sender, shelf: Searchable | None) -> Resolution:
+def absent(typed: str, sender: NamedSender, shelf: Searchable | None) -> Resolution:
     """It is known by that name, but there are no elements of it."""
     number = f" ({sender.norad_id})" if sender.norad_id else ""
     name = sender.name if sender.norad_id else typed  # one of a fleet is not called as the fleet is
@@ -61,7 +61,7 @@ def absent(typed: str, sender: Sender, shelf: Searchable | None) -> Resolution:
     return Resolution(typed, reason="absent", problem=problem)
 
 
-def unnumbered(typed: str, alike: Sequence[Candidate], shelf: Searchable | None) -> Resolution:
+def unnumbered(typed: str, alike: Sequence[TargetCandidate], shelf: Searchable | None) -> Resolution:
     """No satellite has that number."""
     problem = f"Number {typed} is not {_among(shelf)}. {UPDATE}"
     if int(typed) <= HIGHEST_LONGITUDE:

@@ -9,7 +9,7 @@ from typing import Literal, Protocol
 from birdcage.base.errors import BirdcageError
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.targets.model import SlotTarget, Target
-from birdcage.sky.targets.names import Silence
+from birdcage.sky.targets.names import OffAir
 
 Reason = Literal["found", "unknown", "absent", "ambiguous", "silent", "angle"]
 
@@ -21,7 +21,7 @@ class UnknownTarget(BirdcageError):
 
 
 class Hit(Protocol):
-    """A satellite that a search found: `birdcage.sky.catalogue.Entry` is one."""
+    """A satellite that a search found: `birdcage.sky.catalogue.CatalogueEntry` is one."""
 
     @property
     def elements(self) -> ElementSet:
@@ -46,7 +46,7 @@ class Searchable(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class Candidate:
+class TargetCandidate:
     """A target that may be meant."""
 
     target: Target
@@ -54,7 +54,7 @@ class Candidate:
     """What to type to mean this one and no other."""
     hit: Hit | None = None
     """What the catalogue has of it, of a satellite."""
-    silence: Silence | None = None
+    silence: OffAir | None = None
     """Of a satellite that is off the air."""
 
     @property
@@ -72,14 +72,14 @@ class Resolution:
     """What a text means: one target, or why not."""
 
     typed: str
-    found: Candidate | None = None
+    found: TargetCandidate | None = None
     """What is meant: it alone bears the name, or it is clearly preferred."""
     exact: bool = False
     """Whether that is by its whole name, its number or numbers typed, and not by a part of a name."""
     reason: Reason = "found"
     problem: str = ""
     """Why nothing is found, and what to type or do; empty if something is."""
-    candidates: tuple[Candidate, ...] = ()
+    candidates: tuple[TargetCandidate, ...] = ()
     """What may be meant, best first, where nothing is found."""
 
     @property

@@ -14,9 +14,9 @@ from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.slots import Slot, slots
 from birdcage.sky.targets.forms import read_form, slot_at
 from birdcage.sky.targets.model import BodyTarget, Satellite, SlotTarget, Star
-from birdcage.sky.targets.names import Sender, Silence, names_of, plain, senders
+from birdcage.sky.targets.names import NamedSender, OffAir, names_of, plain, senders
 from birdcage.sky.targets.problems import absent, ambiguous, only_silent, unknown, unnumbered
-from birdcage.sky.targets.resolution import Candidate, Hit, Resolution, Searchable
+from birdcage.sky.targets.resolution import Hit, Resolution, Searchable, TargetCandidate
 from birdcage.sky.targets.stars import NamedStar, stars
 
 LOOKED_AT = 200
@@ -57,7 +57,7 @@ class Resolver:
             except ValueError as error:
                 return Resolution(typed, reason="angle", problem=str(error))
             if form is not None:
-                return Resolution(typed, Candidate(form, typed), exact=True)
+                return Resolution(typed, TargetCandidate(form, typed), exact=True)
         exact = self._exactly(typed)
         if exact is not None and exact.found is not None:
             return exact
@@ -73,10 +73,10 @@ class Resolver:
         of_table = [each for each in self._senders if _has(plain(typed), each.name, *each.names)]
         return absent(typed, of_table[0], self._shelf) if len(of_table) == 1 else unknown(typed, self._all_names())
 
-    def find(self, text: str, limit: int = LOOKED_AT) -> tuple[Candidate, ...]:
+    def find(self, text: str, limit: int = LOOKED_AT) -> tuple[TargetCandidate, ...]:
         """Return what a text may mean as one types it, best first: a whole name, parts, then what is silent."""
         typed = " ".join(text.split())
-        found: dict[str, Candidate] = {}
+        found: dict[str, TargetCandidate] = {}
         for each in self._parts(typed):
             found.setdefault(each.target.name if each.hit is None else each.text, each)
             if len(found) >= limit:
@@ -99,7 +99,7 @@ class Resolver:
         """Return what else a satellite of a catalogue is called by the table of downlinks."""
         return tuple(other for s in self._senders if s.is_of(norad_id, name) for other in (s.name, *s.names))
 
-    def sender(self, text: str) -> Sender | None:
+    def sender(self, text: str) -> NamedSender | None:
         """Return who in the table of downlinks is called that, in the catalogue or not; None if no entry is."""
         return next((each for each in self._senders if each.is_called(plain(text))), None)
 
@@ -137,19 +137,19 @@ class Resolver:
         return None if parts or not meant or self._search(typed) else absent(typed, meant[0], self._shelf)
 
     @staticmethod
-    def _body(wanted: str) -> Candidate | None:
-        return Candidate(BodyTarget(BODIES[wanted]), wanted) if wanted in BODIES else None
+    def _body(wanted: str) -> TargetCandidate | None:
+        return TargetCandidate(BodyTarget(BODIES[wanted]), wanted) if wanted in BODIES else None
 
     @staticmethod
-    def _star(wanted: str) -> Candidate | None:
+    def _star(wanted: str) -> TargetCandidate | None:
         return next((_star(each) for each in stars() if wanted in map(plain, (each.name, *each.aliases))), None)
 
     @staticmethod
-    def _slot(wanted: str) -> Candidate | None:
+    def _slot(wanted: str) -> TargetCandidate | None:
         named = [slot for slot in slots() if wanted in map(plain, (slot.name, *slot.aliases))]
         return _slot(named[0]) if len(named) == 1 else None
 
-    def _satellite(self, typed: str) -> Candidate | None:
+    def _satellite(self, typed: str) -> TargetCandidate | None:
         """Return the satellite of exactly that number or name; of several with one name the newest elements."""
         hits = self._search(typed)
         if typed.isdecimal():
@@ -158,7 +158,7 @@ class Resolver:
             same = [hit for hit in hits if plain(hit.elements.name) == plain(typed)]
         return self._candidate(_newest(same)) if same else None
 
-    def _of_sender(self, sender: Sender) -> Candidate | None:
+    def _of_sender(self, sender: NamedSender) -> TargetCandidate | None:
         """Return a satellite of the table as the catalogue has it, else its place on the arc; None for neither."""
         if sender.norad_id:
             same = [hit for hit in self._search(str(sender.norad_id)) if hit.elements.norad_id == sender.norad_id]
@@ -169,19 +169,19 @@ class Resolver:
             return self._candidate(_newest(same))
         if sender.longitude_deg is not None:
             place = slot_at(sender.longitude_deg)
-            return Candidate(place, place.slot.label.replace("°", ""), silence=sender.silence)
+            return TargetCandidate(place, place.slot.label.replace("°", ""), silence=sender.silence)
         return None
 
     # --- parts of names
 
-    def _parts(self, typed: str) -> Iterator[Candidate]:
+    def _parts(self, typed: str) -> Iterator[TargetCandidate]:
         wanted = plain(typed)
         if not wanted:
             return
         exact = self._exactly(typed)
         if exact is not None and exact.found is not None:
             yield exact.found
-        yield from (Candidate(BodyTarget(body), key) for key, body in BODIES.items() if key.startswith(wanted))
+        yield from (TargetCandidate(BodyTarget(body), key) for key, body in BODIES.items() if key.startswith(wanted))
         yield from map(self._candidate, self._search(typed))
         if len(wanted) < LEAST_PART:
             return
@@ -198,13 +198,13 @@ class Resolver:
     def _search_shelf(self, typed: str) -> Sequence[Hit]:
         return () if self._shelf is None else self._shelf.search(typed, LOOKED_AT)
 
-    def _candidate(self, hit: Hit) -> Candidate:
+    def _candidate(self, hit: Hit) -> TargetCandidate:
         elements = hit.elements
         silence = self._silence_of(elements.norad_id, elements.name)
         text = str(elements.norad_id) if elements.norad_id else elements.name
-        return Candidate(Satellite(elements, hit.time_offset_s or 0.0), text, hit, silence)
+        return TargetCandidate(Satellite(elements, hit.time_offset_s or 0.0), text, hit, silence)
 
-    def _silence_of(self, norad_id: int, name: str) -> Silence | None:
+    def _silence_of(self, norad_id: int, name: str) -> OffAir | None:
         return next((each.silence for each in self._senders if each.silence and each.is_of(norad_id, name)), None)
 
     def _all_names(self) -> Iterator[str]:
@@ -218,7 +218,7 @@ class Resolver:
 
 
 @lru_cache(maxsize=1)
-def _shipped_senders() -> tuple[Sender, ...]:
+def _shipped_senders() -> tuple[NamedSender, ...]:
     return senders(shipped())
 
 
@@ -227,12 +227,12 @@ def _newest(hits: Sequence[Hit]) -> Hit:
     return max(hits, key=lambda hit: (not is_ahead(hit.elements.epoch, now), hit.elements.epoch))
 
 
-def _slot(slot: Slot) -> Candidate:
-    return Candidate(SlotTarget(slot), slot.label.replace("°", ""))
+def _slot(slot: Slot) -> TargetCandidate:
+    return TargetCandidate(SlotTarget(slot), slot.label.replace("°", ""))
 
 
-def _star(star: NamedStar) -> Candidate:
-    return Candidate(Star(star.name, star.ra_deg, star.dec_deg), star.name)
+def _star(star: NamedStar) -> TargetCandidate:
+    return TargetCandidate(Star(star.name, star.ra_deg, star.dec_deg), star.name)
 
 
 def _has(wanted: str, *names: str) -> bool:

@@ -27,7 +27,7 @@ CHUNK = 65_536
 
 
 @dataclass(frozen=True, slots=True)
-class Reply:
+class HttpReply:
     """What a server answered, whatever its status."""
 
     status: int
@@ -52,7 +52,7 @@ def check_url(url: str) -> str:
 def fetch(
     url: str, *, headers: Mapping[str, str] | None = None, deadline_s: float = DEADLINE_S,
     largest: int = LARGEST_BODY,
-) -> Reply:  # fmt: skip
+) -> HttpReply:  # fmt: skip
     """Ask for `url` once, by GET, and return the answer; nothing is tried a second time.
 
     Redirects are followed, but never from https to http. FetchError for everything that is
@@ -81,7 +81,7 @@ class _Request:
         self._url, self._headers, self._deadline = url, headers, deadline
         self._largest = largest
         self.done, self.given_up = threading.Event(), threading.Event()
-        self.reply: Reply | None = None
+        self.reply: HttpReply | None = None
         self.error: BaseException | None = None
 
     def run(self) -> None:
@@ -93,7 +93,7 @@ class _Request:
         finally:
             self.done.set()
 
-    def _fetch(self) -> Reply:
+    def _fetch(self) -> HttpReply:
         import urllib3
 
         from birdcage.base.version import version
@@ -106,7 +106,7 @@ class _Request:
         except urllib3.exceptions.HTTPError as error:
             raise _told(self._url, error) from error
 
-    def _follow_to_the_end(self, pool: urllib3.PoolManager, headers: dict[str, str]) -> Reply:
+    def _follow_to_the_end(self, pool: urllib3.PoolManager, headers: dict[str, str]) -> HttpReply:
         url = self._url
         for _ in range(MOST_REDIRECTS + 1):
             response = pool.request("GET", url, headers=headers, preload_content=False, redirect=False)
@@ -133,7 +133,7 @@ class _Request:
             )
         return further
 
-    def _read(self, response: urllib3.BaseHTTPResponse) -> Reply:
+    def _read(self, response: urllib3.BaseHTTPResponse) -> HttpReply:
         parts: list[bytes] = []
         size = 0
         while chunk := response.read1(CHUNK, decode_content=False):
@@ -145,7 +145,7 @@ class _Request:
                 raise _too_large(self._url, self._largest)
         headers = {name.lower(): value for name, value in response.headers.items()}
         body = unpack(b"".join(parts), headers.get("content-encoding", ""), self._largest, self._url)
-        return Reply(response.status, body, headers)
+        return HttpReply(response.status, body, headers)
 
 
 def _told(url: str, error: urllib3.exceptions.HTTPError) -> FetchError:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from email.utils import parsedate_to_datetime
 
-from birdcage.sky.update.fetch import Reply
+from birdcage.sky.update.fetch import HttpReply
 
 LONGEST_PAUSE = timedelta(days=1)
 FORBIDDEN_PAUSE = timedelta(hours=2)
@@ -14,7 +14,7 @@ BUSY_PAUSE = timedelta(hours=1)
 
 
 @dataclass(frozen=True, slots=True)
-class Pause:
+class ServerPause:
     """A server's wish to be left alone."""
 
     until: datetime
@@ -23,19 +23,19 @@ class Pause:
     """False where only this one group is meant."""
 
 
-def pause_of(reply: Reply, host: str, now: datetime) -> Pause | None:
+def pause_of(reply: HttpReply, host: str, now: datetime) -> ServerPause | None:
     """Return the pause that an answer asks for; None if it asks for none."""
     asked = _retry_after(reply.headers.get("retry-after", ""), now)
     if reply.status == 403 and b"has not updated since" in reply.body:
         # CelesTrak: "GP data has not updated since your last successful download of GROUP=..."
         why = f"{host} has nothing newer than what it last sent to this address."
-        return Pause(asked or now + FORBIDDEN_PAUSE, why, whole_host=False)
+        return ServerPause(asked or now + FORBIDDEN_PAUSE, why, whole_host=False)
     if reply.status == 403:
-        return Pause(asked or now + FORBIDDEN_PAUSE, f"{host} refuses (403){_said(reply.body)}.", whole_host=True)
+        return ServerPause(asked or now + FORBIDDEN_PAUSE, f"{host} refuses (403){_said(reply.body)}.", whole_host=True)
     if reply.status == 429:
-        return Pause(asked or now + BUSY_PAUSE, f"{host} was asked too often (429).", whole_host=True)
+        return ServerPause(asked or now + BUSY_PAUSE, f"{host} was asked too often (429).", whole_host=True)
     if reply.status == 503 and asked is not None:
-        return Pause(asked, f"{host} is too busy (503).", whole_host=True)
+        return ServerPause(asked, f"{host} is too busy (503).", whole_host=True)
     return None
 
 

@@ -14,11 +14,11 @@ from enum import StrEnum
 from typing import Protocol
 
 from birdcage.sky.ahead import ahead_words, is_ahead
-from birdcage.sky.catalogue import Added, Catalogue, Group
+from birdcage.sky.catalogue import AddedElements, Catalogue, CatalogueGroup
 from birdcage.sky.catalogue.words import at, span
 from birdcage.sky.formats import Complaint
 from birdcage.sky.update.errors import FetchError
-from birdcage.sky.update.fetch import DEADLINE_S, Reply, check_url, fetch
+from birdcage.sky.update.fetch import DEADLINE_S, HttpReply, check_url, fetch
 from birdcage.sky.update.no import LONGEST_PAUSE, pause_of
 from birdcage.sky.update.sources import Source
 from birdcage.sky.update.take import take
@@ -38,13 +38,13 @@ class Status(StrEnum):
 
 
 @dataclass(frozen=True, slots=True)
-class Outcome:
+class RefreshOutcome:
     """What came of one group."""
 
     name: str
     status: Status
     sentence: str
-    added: Added | None = None
+    added: AddedElements | None = None
     complaints: tuple[Complaint, ...] = ()
     next_at: datetime | None = None
     """From when on it may be asked again, UTC; None for now."""
@@ -58,7 +58,7 @@ class Outcome:
 class Fetch(Protocol):
     """What `fetch` does."""
 
-    def __call__(self, url: str, *, headers: Mapping[str, str], deadline_s: float) -> Reply:
+    def __call__(self, url: str, *, headers: Mapping[str, str], deadline_s: float) -> HttpReply:
         """Ask once."""
 
 
@@ -66,7 +66,7 @@ def refresh(
     catalogue: Catalogue, sources: Iterable[Source], *, force: bool = False, deadline_s: float = DEADLINE_S,
     ask: Fetch = fetch, now: Callable[[], datetime] = lambda: datetime.now(UTC),
     begin: Callable[[Source], None] = lambda _source: None,
-) -> Iterator[Outcome]:  # fmt: skip
+) -> Iterator[RefreshOutcome]:  # fmt: skip
     """Fetch groups one after the other; yield what came of each as soon as it is known.
 
     A server that could not be reached is not tried again for the groups that follow. `begin` is called before each.
@@ -89,9 +89,9 @@ class _Refresh:
         self._gone = gone
         group = catalogue.groups.get(source.name)
         # Another address is another server: what the old one said counts for nothing there.
-        self._group = group if group.url == source.url else Group(source.name, group.count, source.url)
+        self._group = group if group.url == source.url else CatalogueGroup(source.name, group.count, source.url)
 
-    def run(self, *, force: bool) -> Outcome:
+    def run(self, *, force: bool) -> RefreshOutcome:
         try:
             host = check_url(self._source.url)
             if host in self._gone:
@@ -101,7 +101,7 @@ class _Refresh:
             self._catalogue.groups.keep(replace(self._group, problem=str(error)))
             return self._outcome(Status.FAILED, str(error) + self._old())
 
-    def _fetch(self, host: str) -> Reply:
+    def _fetch(self, host: str) -> HttpReply:
         try:
             return self._ask(self._source.url, headers=self._headers(), deadline_s=self._deadline_s)
         except FetchError as error:
@@ -109,7 +109,7 @@ class _Refresh:
                 self._gone[host] = str(error)
             raise
 
-    def _too_early(self, host: str, *, force: bool) -> Outcome | None:
+    def _too_early(self, host: str, *, force: bool) -> RefreshOutcome | None:
         now = self._now()
         pause = self._catalogue.groups.host_pause(host, now)
         if pause is None and self._group.paused_until is not None and self._group.paused_until > now:
@@ -139,7 +139,7 @@ class _Refresh:
             headers["If-Modified-Since"] = self._group.last_modified
         return headers
 
-    def _answered(self, host: str, reply: Reply) -> Outcome:
+    def _answered(self, host: str, reply: HttpReply) -> RefreshOutcome:
         now = self._now()
         if reply.status == 200:
             return self._take(host, reply, now)
@@ -155,7 +155,7 @@ class _Refresh:
         sentence = f"{pause.why} Not asked again before {at(pause.until, now)}.{self._old()}"
         return self._outcome(Status.PAUSED, sentence, next_at=pause.until)
 
-    def _take(self, host: str, reply: Reply, now: datetime) -> Outcome:
+    def _take(self, host: str, reply: HttpReply, now: datetime) -> RefreshOutcome:
         harvest = take(reply, self._source.name, host)
         came = len({each.norad_id or each.name for each in harvest.elements})
         # Half a group may be a file that was cut where it does not show; who is missing then keeps its membership.
@@ -167,7 +167,7 @@ class _Refresh:
         # What gave way may be right once the clock is: the next request fetches all of it.
         versions = {} if words else reply.headers
         self._catalogue.groups.keep(
-            Group(
+            CatalogueGroup(
                 self._source.name, url=self._source.url, etag=versions.get("etag"),
                 last_modified=versions.get("last-modified"), checked=now, fetched=now,
             )
@@ -193,7 +193,7 @@ class _Refresh:
         return f" The {count} satellites{age} stay."
 
     def _outcome(
-        self, status: Status, sentence: str, *, added: Added | None = None,
+        self, status: Status, sentence: str, *, added: AddedElements | None = None,
         complaints: tuple[Complaint, ...] = (), next_at: datetime | None = None,
-    ) -> Outcome:  # fmt: skip
-        return Outcome(self._source.name, status, sentence, added, complaints, next_at)
+    ) -> RefreshOutcome:  # fmt: skip
+        return RefreshOutcome(self._source.name, status, sentence, added, complaints, next_at)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import re
 
-from birdcage.sky.formats import Harvest, read_text
+from birdcage.sky.formats import ParseResult, read_text
 from birdcage.sky.update.errors import FetchError
-from birdcage.sky.update.fetch import Reply
+from birdcage.sky.update.fetch import HttpReply
 
 _PAGE = re.compile(rb"\s*(<!doctype html|<html|<head|<body)", re.IGNORECASE)
 
 
-def take(reply: Reply, source: str, host: str) -> Harvest:
+def take(reply: HttpReply, source: str, host: str) -> ParseResult:
     """Return what a body holds: at least one set of elements, and complaints about damaged ones.
 
     `source` is what the elements and complaints are marked with. FetchError ``garbage`` or ``truncated`` for a body

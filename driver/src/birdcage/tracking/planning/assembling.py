@@ -10,18 +10,18 @@ import numpy as np
 
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Reach
+from birdcage.sky.reach_model import PassReach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Aim, Forecast, Keyhole, Leg, Part, Plan
+from birdcage.tracking.plan import Forecast, Keyhole, Plan, PlanLeg, PlanPart, PlanTarget
 from birdcage.tracking.planning.course import course as course_of
 from birdcage.tracking.planning.forecast import forecast
 from birdcage.tracking.planning.incidents import incidents, loss_notes
-from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.itinerary import TrackSegment
 from birdcage.tracking.planning.keyholes import keyholes, simulated
 from birdcage.tracking.planning.preposition import preposition
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 from birdcage.tracking.pointing_error import STILL_FLIES, pointing_error
 
 _AT_ONCE_S = 0.5
@@ -34,12 +34,12 @@ _SEEN_DEG = 0.05
 class Basis:
     """What of a plan is settled before its course."""
 
-    aim: Aim
+    aim: PlanTarget
     made_at: datetime
     passing: Pass | None
-    reach: Reach
-    sight: Sight
-    stretches: tuple[Stretch, ...]
+    reach: PassReach
+    track: TargetTrack
+    stretches: tuple[TrackSegment, ...]
     preposition_s: float
     elements: ElementError | None
     day: Day | None = None
@@ -50,65 +50,66 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
 
     `share` and `hold` as `course` takes them.
     """
-    sight, stretches, mount = basis.sight, basis.stretches, basis.sight.mount
-    course = course_of(sight, stretches, share, hold)
-    legs = _legs(stretches, course, turns=sight.bounds.cable is not None and sight.bounds.turn_known)
+    track, stretches, mount = basis.track, basis.stretches, basis.track.mount
+    course = course_of(track, stretches, share, hold)
+    legs = _legs(stretches, course, turns=track.bounds.cable is not None and track.bounds.turn_known)
     beam = mount.beam_at(basis.aim.frequency_hz)
-    holes = keyholes(sight, stretches, course, beam)
+    holes = keyholes(track, stretches, course, beam)
     if seen is not None:
         holes = simulated(holes, seen, beam)
-    place = preposition(sight, course, basis.preposition_s, basis.made_at.timestamp())
-    own = seen or forecast(sight, stretches, course, beam)
+    place = preposition(track, course, basis.preposition_s, basis.made_at.timestamp())
+    own = seen or forecast(track, stretches, course, beam)
     notes = [
         *_element_notes(basis.elements),
         *_rewind_notes(legs),
         *map(_hole_note, holes),
-        *_beyond_notes(sight, stretches),
-        *_border_notes(sight),
+        *_beyond_notes(track, stretches),
+        *_border_notes(track),
         *_notes(basis.reach, mount),
     ]
     if place is None:
         notes.insert(0, "No path to its start keeps clear of the no-go sectors.")
     return Plan(
-        basis.aim, basis.made_at, basis.passing, basis.reach, sight.sky, course, legs, place, holes,
-        own, incidents(basis.passing, sight.sky, legs, holes, basis.reach, mount.limits),
+        basis.aim, basis.made_at, basis.passing, basis.reach, track.sky, course, legs, place, holes,
+        own, incidents(basis.passing, track.sky, legs, holes, basis.reach, mount.limits),
         tuple(notes), share, share is None or not holes or seen is not None, basis.elements,
         pointing_error(own, basis.elements, beam), basis.day,
     )  # fmt: skip
 
 
 def unfollowed(
-    aim: Aim, made_at: datetime, passing: Pass | None, reach: Reach, sight: Sight, elements: ElementError | None,
+    aim: PlanTarget, made_at: datetime, passing: Pass | None, reach: PassReach, track: TargetTrack,
+    elements: ElementError | None,
     day: Day | None = None,
 ) -> Plan:  # fmt: skip
     """Return the plan of what cannot be followed, which says why."""
-    limits, never = sight.mount.limits, sight.mount.model.no_following
+    limits, never = track.mount.limits, track.mount.model.no_following
     notes = (never,) if never else (
-        *_element_notes(elements), _nothing_note(sight, passing, day), *_border_notes(sight),
-        *_notes(Reach((), (), None) if day is not None else reach, sight.mount),
+        *_element_notes(elements), _nothing_note(track, passing, day), *_border_notes(track),
+        *_notes(PassReach((), (), None) if day is not None else reach, track.mount),
     )  # fmt: skip
     return Plan(
-        aim, made_at, passing, reach, sight.sky, None, (), None, (), None,
-        incidents(passing, sight.sky, (), (), reach, limits), notes, elements=elements, day=day,
+        aim, made_at, passing, reach, track.sky, None, (), None, (), None,
+        incidents(passing, track.sky, (), (), reach, limits), notes, elements=elements, day=day,
     )  # fmt: skip
 
 
-def _nothing_note(sight: Sight, passing: Pass | None, day: Day | None) -> str:
+def _nothing_note(track: TargetTrack, passing: Pass | None, day: Day | None) -> str:
     """Return that nothing can be followed: of a pass, or, of what does not pass, for as long as was looked ahead."""
     if passing is not None:
         return "No more of it can be followed."
     if day is not None and day.standing:
         return f"{day.standing[0].upper()}{day.standing[1:]}."
-    start_s = None if day is None else day.reach_start_s(sight.sky.start_s)
+    start_s = None if day is None else day.reach_start_s(track.sky.start_s)
     if start_s is not None:
         return f"It comes into reach at {datetime.fromtimestamp(start_s, UTC):%H:%M}Z."
     if day is not None:
         return "Out of reach for the next 24 hours."
-    return f"Nothing of it can be followed for {(sight.sky.end_s - sight.sky.start_s) / 60.0:.0f} min from now."
+    return f"Nothing of it can be followed for {(track.sky.end_s - track.sky.start_s) / 60.0:.0f} min from now."
 
 
-def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[Leg, ...]:
-    legs: list[Leg] = []
+def _legs(stretches: Sequence[TrackSegment], course: Curve, *, turns: bool) -> tuple[PlanLeg, ...]:
+    legs: list[PlanLeg] = []
     for stretch in stretches:
         turn = stretch.turn if turns else None
         start_deg, end_deg = course.at(stretch.start_s)[0], course.at(stretch.end_s)[0]
@@ -118,9 +119,9 @@ def _legs(stretches: Sequence[Stretch], course: Curve, *, turns: bool) -> tuple[
             if turn is not None and stretch.route is not None:
                 turned_s = before.end_s + stretch.route.worst_s
                 done_s = turned_s if turned_s < done_s - _AT_ONCE_S else done_s
-            legs.append(Leg(Part.REWIND, before.end_s, done_s, before.to_az_deg, start_deg, turn, stops))
+            legs.append(PlanLeg(PlanPart.REWIND, before.end_s, done_s, before.to_az_deg, start_deg, turn, stops))
             stops = ()
-        legs.append(Leg(Part.FOLLOW, stretch.start_s, stretch.end_s, start_deg, end_deg, turn, stops))
+        legs.append(PlanLeg(PlanPart.FOLLOW, stretch.start_s, stretch.end_s, start_deg, end_deg, turn, stops))
     return tuple(legs)
 
 
@@ -129,14 +130,14 @@ def _element_notes(elements: ElementError | None) -> Iterator[str]:
         yield f"{elements.unknown[0].upper()}{elements.unknown[1:]}: {STILL_FLIES}."
 
 
-def _rewind_notes(legs: Sequence[Leg]) -> Iterator[str]:
+def _rewind_notes(legs: Sequence[PlanLeg]) -> Iterator[str]:
     for leg in legs:
-        if leg.part is Part.REWIND and leg.turn is not None:
+        if leg.part is PlanPart.REWIND and leg.turn is not None:
             yield (
                 f"The cable is too short for the whole pass: it turns back from {leg.from_az_deg:+.0f}° to "
                 f"{leg.to_az_deg:+.0f}°, which takes up to {leg.end_s - leg.start_s:.1f} s."
             )
-        elif leg.part is Part.REWIND:
+        elif leg.part is PlanPart.REWIND:
             yield f"The cable may reach its stop, as its turn is unknown: {leg.end_s - leg.start_s:.0f} s are kept."
 
 
@@ -148,9 +149,9 @@ def _hole_note(hole: Keyhole) -> str:
     )
 
 
-def _beyond_notes(sight: Sight, stretches: Sequence[Stretch]) -> Iterator[str]:
+def _beyond_notes(track: TargetTrack, stretches: Sequence[TrackSegment]) -> Iterator[str]:
     """Yield that the dish stays at its ceiling, while the target is less than the tolerance above it."""
-    t, over = sight.sky.t_s, sight.el_deg - sight.high_deg
+    t, over = track.sky.t_s, track.el_deg - track.high_deg
     within = np.zeros(len(t), dtype=np.bool_)
     for one in stretches:
         within |= (t >= one.start_s) & (t <= one.end_s)
@@ -163,18 +164,18 @@ def _beyond_notes(sight: Sight, stretches: Sequence[Stretch]) -> Iterator[str]:
         )
 
 
-def _border_notes(sight: Sight) -> Iterator[str]:
+def _border_notes(track: TargetTrack) -> Iterator[str]:
     """Yield that a no-go sector keeps the dish from where it may turn the other way round."""
-    within = sight.el_deg >= sight.low_deg
-    if (sight.bounds.blocked(sight.az_deg, sight.pointed_el_deg, borders_only=True) & within).any():
-        highest = max(keepout.below_deg for keepout in sight.bounds.keepouts)
+    within = track.el_deg >= track.low_deg
+    if (track.bounds.blocked(track.az_deg, track.pointed_el_deg, borders_only=True) & within).any():
+        highest = max(keepout.below_deg for keepout in track.bounds.keepouts)
         yield (
             f"Below {highest:.0f}° it is not followed across north or a cable stop. With its turn unknown the dish "
             "may swing through a no-go sector. Home the dish to know its turn."
         )
 
 
-def _notes(reach: Reach, mount: Mount) -> Iterator[str]:
+def _notes(reach: PassReach, mount: Mount) -> Iterator[str]:
     yield from loss_notes(reach, mount.limits)
     if mount.standing is None:
         yield "The dish's position is not known. The move to the first point may take longer."

@@ -8,16 +8,16 @@ import numpy as np
 
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.planning.corners import JOINT_S, cornered
-from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.itinerary import TrackSegment
 from birdcage.tracking.planning.keyhole_path import Corridor, best_elevation, least_error_deg, limited, through
 from birdcage.tracking.planning.rates import azimuth_rates_deg_s, mean_rate_deg_s
 from birdcage.tracking.planning.routes import sampled
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 
 _Piece = tuple[Floats, Floats, Floats]
 
 
-def course(sight: Sight, stretches: Sequence[Stretch], share: float | None, hold: float = 0.0) -> Curve:
+def course(track: TargetTrack, stretches: Sequence[TrackSegment], share: float | None, hold: float = 0.0) -> Curve:
     """Return the course from the first stretch to the last; `share` as in `Plan`. ValueError without a stretch.
 
     `hold`: how far below the top the elevation stays while the azimuth sweeps, in units of what both axes at once would
@@ -27,28 +27,28 @@ def course(sight: Sight, stretches: Sequence[Stretch], share: float | None, hold
     for group, last in _groups(stretches):
         taken = group[0].route
         if pieces and taken is not None:
-            on_way = sampled(taken, sight.mount.model, float(pieces[-1][0][-1]))
+            on_way = sampled(taken, track.mount.model, float(pieces[-1][0][-1]))
             pieces.append(_kept_before(on_way, group[0].start_s))
-        pieces.append(_followed(sight, group, share, hold, first=not pieces, last=last))
+        pieces.append(_followed(track, group, share, hold, first=not pieces, last=last))
     t, az, el = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
     rising = np.concatenate(([True], np.diff(t) > JOINT_S / 10.0))
     return cornered(t[rising], az[rising], el[rising])
 
 
-def limit_deg(sight: Sight, stretches: Sequence[Stretch], start_s: float, end_s: float) -> float:
+def limit_deg(track: TargetTrack, stretches: Sequence[TrackSegment], start_s: float, end_s: float) -> float:
     """Return the least greatest error that both axes at once could keep around a time, at their greatest speeds."""
     found = 0.0
-    rate = mean_rate_deg_s(sight.mount.model.azimuth)
+    rate = mean_rate_deg_s(track.mount.model.azimuth)
     for group, _ in _groups(stretches):
         if group[0].start_s < end_s and group[-1].end_s > start_s:
-            corridor = _corridor(sight, group, first=True, last=True)
+            corridor = _corridor(track, group, first=True, last=True)
             found = max(found, least_error_deg(corridor, np.full(len(corridor.t_s), rate)))
     return found
 
 
-def _groups(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], bool]]:
+def _groups(stretches: Sequence[TrackSegment]) -> list[tuple[list[TrackSegment], bool]]:
     """Return the stretches that the dish follows in one go, each group with whether it is the last."""
-    groups: list[list[Stretch]] = []
+    groups: list[list[TrackSegment]] = []
     for stretch in stretches:
         if groups and stretch.route is None:
             groups[-1].append(stretch)
@@ -58,48 +58,48 @@ def _groups(stretches: Sequence[Stretch]) -> list[tuple[list[Stretch], bool]]:
 
 
 def _followed(
-    sight: Sight, group: list[Stretch], share: float | None, hold: float, *, first: bool, last: bool
+    track: TargetTrack, group: list[TrackSegment], share: float | None, hold: float, *, first: bool, last: bool
 ) -> _Piece:
-    corridor = _corridor(sight, group, first=first, last=last)
-    model, t = sight.mount.model, corridor.t_s
-    top_deg = _top_deg(sight, corridor, hold)
+    corridor = _corridor(track, group, first=first, last=last)
+    model, t = track.mount.model, corridor.t_s
+    top_deg = _top_deg(track, corridor, hold)
     az = through(corridor, azimuth_rates_deg_s(model, t, np.minimum(corridor.el_deg, top_deg), share))
     el = np.minimum(best_elevation(az - corridor.az_deg, corridor.el_deg), top_deg)
-    floor, ceiling = sight.elevations(t)
+    floor, ceiling = track.elevations(t)
     way = np.concatenate(([0.0], np.cumsum(np.diff(t)))) * mean_rate_deg_s(model.elevation)
     el = limited(np.clip(el, floor, ceiling), way)
     return t, az, el
 
 
-def _top_deg(sight: Sight, corridor: Corridor, hold: float) -> float:
+def _top_deg(track: TargetTrack, corridor: Corridor, hold: float) -> float:
     """Return the elevation that is not exceeded, so that the azimuth need not wait for it."""
     if hold <= 0.0:
         return np.inf
-    rate = mean_rate_deg_s(sight.mount.model.azimuth)
+    rate = mean_rate_deg_s(track.mount.model.azimuth)
     below_deg = hold * least_error_deg(corridor, np.full(len(corridor.t_s), rate))
     if below_deg <= 0.0:
         return np.inf
     # Never down into a no-go sector, which the azimuth may cross above it.
-    sectors = (keepout.below_deg for keepout in sight.bounds.keepouts)
+    sectors = (keepout.below_deg for keepout in track.bounds.keepouts)
     return max((float(corridor.el_deg.max()) - below_deg, *sectors))
 
 
-def _corridor(sight: Sight, group: list[Stretch], *, first: bool, last: bool) -> Corridor:
+def _corridor(track: TargetTrack, group: list[TrackSegment], *, first: bool, last: bool) -> Corridor:
     """Return where the dish may be during a group. Its ends are fixed where a way begins or ends there."""
     start, end, turn = group[0].start_s, group[-1].end_s, group[0].turn
-    sky_t = sight.sky.t_s
+    sky_t = track.sky.t_s
     inner = sky_t[(sky_t > start + 2.0 * JOINT_S) & (sky_t < end - 2.0 * JOINT_S)]
     edges = [edge for one in group for edge in (one.start_s, one.end_s)][1:-1]
-    corners = [at for at in _corners(sight) if start < at < end]
+    corners = [at for at in _corners(track) if start < at < end]
     t = np.unique(np.concatenate(([start, start + JOINT_S], inner, edges, corners, [end - JOINT_S, end])))
-    az, el = sight.dish.sample(t)
-    floor, ceiling = sight.elevations(t)
+    az, el = track.dish.sample(t)
+    floor, ceiling = track.elevations(t)
     az, el = az + 360.0 * turn, np.clip(el, floor, ceiling)
     low, high = np.full(len(t), -np.inf), np.full(len(t), np.inf)
-    if sight.bounds.cable is not None and sight.bounds.turn_known:
-        low[:], high[:] = sight.bounds.cable
+    if track.bounds.cable is not None and track.bounds.turn_known:
+        low[:], high[:] = track.bounds.cable
         az = np.clip(az, low, high)
-    for keepout in sight.bounds.keepouts:
+    for keepout in track.bounds.keepouts:
         under = el < keepout.below_deg
         back, on = keepout.beside(az)
         low = np.where(under, np.maximum(low, az - back), low)
@@ -114,10 +114,10 @@ def _corridor(sight: Sight, group: list[Stretch], *, first: bool, last: bool) ->
     return Corridor(t, az, el, low, high, ceiling, wanted)
 
 
-def _corners(sight: Sight) -> list[float]:
+def _corners(track: TargetTrack) -> list[float]:
     """Return times about every moment at which the target crosses the floor or the ceiling, where the dish turns."""
-    t, found = sight.sky.t_s, []
-    for beyond in (sight.el_deg - sight.low_deg, sight.high_deg - sight.el_deg):
+    t, found = track.sky.t_s, []
+    for beyond in (track.el_deg - track.low_deg, track.high_deg - track.el_deg):
         before = np.flatnonzero((beyond[:-1] < 0.0) != (beyond[1:] < 0.0))
         share = beyond[before] / (beyond[before] - beyond[before + 1])
         found += (t[before] + share * (t[before + 1] - t[before])).tolist()

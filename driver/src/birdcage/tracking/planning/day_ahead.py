@@ -9,8 +9,8 @@ from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.planning.limit_words import where_words
 from birdcage.tracking.planning.refraction import Refraction, lift_deg
-from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.planning.sky_path import sky_path
+from birdcage.tracking.planning.target_track import TargetTrack
 
 
 def day_ahead(
@@ -22,6 +22,6 @@ def day_ahead(
         sky = sky_path(target, observer, start_s, end_s, refraction=refraction, time_offset_s=time_offset_s)
     except BirdcageError:
         return None
-    reach = Sight.of(sky, mount).reached()
+    reach = TargetTrack.of(sky, mount).reached()
     limits = tuple(where_words(reason, mount.limits) for reason in reach.reasons)
     return Day(sky, reach, limits, float(lift_deg(0.0, refraction)))

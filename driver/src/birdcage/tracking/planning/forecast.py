@@ -11,8 +11,8 @@ from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.move_times import durations
 from birdcage.tracking.plan import Forecast
-from birdcage.tracking.planning.itinerary import Stretch
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.itinerary import TrackSegment
+from birdcage.tracking.planning.target_track import TargetTrack
 
 LATENCY_S = 0.06
 """From sending a command to its effect, before it was measured: the middle of 20 to 100 ms, which are assumed."""
@@ -76,11 +76,11 @@ class Offsets(NamedTuple):
         return lost
 
 
-def forecast(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam: Beam | None) -> Forecast:
+def forecast(track: TargetTrack, stretches: tuple[TrackSegment, ...], course: Curve, beam: Beam | None) -> Forecast:
     """Return the error to expect while following, from the course alone."""
     t = following_times(stretches)
-    off = offsets_deg(*sight.dish.sample(t), *course.sample(t))
-    saw, peaks = saw_tooth_deg(sight.mount.model, course, t, stretches)
+    off = offsets_deg(*track.dish.sample(t), *course.sample(t))
+    saw, peaks = saw_tooth_deg(track.mount.model, course, t, stretches)
     return made(t, off.and_at_random(saw), beam, peak_deg=float(np.hypot(off.size_deg, peaks).max()))
 
 
@@ -91,7 +91,7 @@ def made(t: Floats, off: Offsets, beam: Beam | None, peak_deg: float | None = No
     return Forecast(t, error_deg, loss, float(np.sqrt(np.mean(error_deg**2))), greatest)
 
 
-def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> Floats:
+def following_times(stretches: tuple[TrackSegment, ...], step_s: float = _STEP_S) -> Floats:
     """Return times at even steps within the stretches, their ends among them."""
     step_s = max(step_s, sum(one.end_s - one.start_s for one in stretches) / _MOST)
     return np.unique(
@@ -104,7 +104,9 @@ def following_times(stretches: tuple[Stretch, ...], step_s: float = _STEP_S) -> 
     )
 
 
-def saw_tooth_deg(model: Facts, course: Curve, t: Floats, stretches: tuple[Stretch, ...]) -> tuple[Offsets, Floats]:
+def saw_tooth_deg(
+    model: Facts, course: Curve, t: Floats, stretches: tuple[TrackSegment, ...]
+) -> tuple[Offsets, Floats]:
     """Return what is left between two commands, on the sky: its root mean square, and the greatest to expect.
 
     Commands that name where the target will be half an interval later leave a saw-tooth of rate x interval, and the

@@ -7,9 +7,9 @@ from datetime import datetime
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import Lost, Reach
+from birdcage.sky.reach_model import Lost, PassReach
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.plan import Incident, Keyhole, Leg, Part
+from birdcage.tracking.plan import Incident, Keyhole, PlanLeg, PlanPart
 from birdcage.tracking.planning.limit_words import where_words
 
 _SHORT_LOSS_S = 1.0
@@ -17,25 +17,25 @@ _EDGE_S = 2.0
 
 
 def incidents(
-    passing: Pass | None, sky: Curve, legs: tuple[Leg, ...], holes: tuple[Keyhole, ...], reach: Reach,
+    passing: Pass | None, sky: Curve, legs: tuple[PlanLeg, ...], holes: tuple[Keyhole, ...], reach: PassReach,
     limits: ReachLimits,
 ) -> tuple[Incident, ...]:  # fmt: skip
     """Return all of them, in order of time."""
     found = list(_of_pass(passing, sky))
     found.extend(Incident(hole.start_s, "keyhole", f"keyhole, up to {hole.max_error_deg:.1f}° off") for hole in holes)
     for before, leg in zip((None, *legs), legs, strict=False):
-        if leg.part is Part.REWIND:
+        if leg.part is PlanPart.REWIND:
             how = "cable turns back" if leg.turn is not None else "cable may turn back"
             found.append(Incident(leg.start_s, "rewind", f"{how}, up to {leg.end_s - leg.start_s:.1f} s"))
-        elif before is None or before.end_s < leg.start_s - 1e-3 or before.part is Part.REWIND:
+        elif before is None or before.end_s < leg.start_s - 1e-3 or before.part is PlanPart.REWIND:
             found.append(Incident(leg.start_s, "reach", "in reach"))
     for index, leg in enumerate(legs):
         after = legs[index + 1] if index + 1 < len(legs) else None
         reason = _reason_after(leg.end_s, reach)
         goes_on = after is not None and after.start_s <= leg.end_s + 1e-3
-        turns_back = after is not None and after.part is Part.REWIND
+        turns_back = after is not None and after.part is PlanPart.REWIND
         # A rewind that begins where the target goes out of reach anyway waits for that.
-        if leg.part is Part.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
+        if leg.part is PlanPart.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
             if not reason and passing is None and leg.end_s >= sky.end_s - 1.0:
                 continue  # only the plan ends there
             found.append(Incident(leg.end_s, "unreach", where_words(reason, limits) if reason else "ends"))
@@ -56,7 +56,7 @@ def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
             yield Incident(at_s, what, text)
 
 
-def _reason_after(at_s: float, reach: Reach) -> str:
+def _reason_after(at_s: float, reach: PassReach) -> str:
     """Return which limit ends a leg; nothing if none does."""
     for lost in _limiting(reach):
         if _s(lost.start) - _EDGE_S < at_s < _s(lost.end):
@@ -64,7 +64,7 @@ def _reason_after(at_s: float, reach: Reach) -> str:
     return ""
 
 
-def _limiting(reach: Reach) -> Iterator[Lost]:
+def _limiting(reach: PassReach) -> Iterator[Lost]:
     """Yield what the dish cannot follow; behind the horizon mask it can."""
     return (lost for lost in reach.lost if lost.reason != "horizon")
 
@@ -73,7 +73,7 @@ def _s(when: datetime) -> float:
     return when.timestamp()
 
 
-def loss_notes(reach: Reach, limits: ReachLimits) -> Iterator[str]:
+def loss_notes(reach: PassReach, limits: ReachLimits) -> Iterator[str]:
     """Yield a sentence for every limit that takes a part of the pass."""
     seconds: dict[str, float] = {}
     for lost in reach.lost:

@@ -10,7 +10,7 @@ import numpy as np
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.planning.cable_turns import Run, runs
 from birdcage.tracking.planning.routes import Route, route
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 
 _SHORTEST_S = 0.5
 """What is shorter is not worth a leg."""
@@ -21,7 +21,7 @@ _START_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)
-class Stretch:
+class TrackSegment:
     """A time during which the target is followed, and how the dish comes to its beginning."""
 
     start_s: float
@@ -37,19 +37,19 @@ class Stretch:
 class Itinerary:
     """What is to be done, as far as that is a matter of times and turns."""
 
-    stretches: tuple[Stretch, ...]
+    stretches: tuple[TrackSegment, ...]
     cuts: tuple[tuple[float, float, str], ...]
     """What the limits would allow, but is lost to the `cable` being turned back, or to the way round a `no-go` sector.
     """
 
 
-def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itinerary:
+def itinerary(track: TargetTrack, now_s: float, later: Sequence[Curve] = ()) -> Itinerary:
     """Return the stretches from now on."""
-    spans, cable_losses = sight.spans()
+    spans, cable_losses = track.spans()
     spans = [(max(start, now_s), end) for start, end in spans if end - max(start, now_s) > _SHORTEST_S]
-    standing = sight.mount.standing
-    found: list[Stretch] = []
-    pieces = _pieces(sight, spans, runs(sight, spans, standing, later))
+    standing = track.mount.standing
+    found: list[TrackSegment] = []
+    pieces = _pieces(track, spans, runs(track, spans, standing, later))
     cuts = _without(spans, pieces)
     for piece in pieces:
         rewinds = False
@@ -58,10 +58,10 @@ def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itiner
             rewinds = piece.turn != before.turn or any(
                 before.end_s - 1e-3 <= start < piece.start_s for start, _ in cable_losses
             )
-            if not rewinds and _free(sight, before, piece):
+            if not rewinds and _free(track, before, piece):
                 found.append(piece)
                 continue
-            begin, ready_s = sight.at(before.end_s, before.turn), before.end_s
+            begin, ready_s = track.at(before.end_s, before.turn), before.end_s
         elif standing is not None:
             begin, ready_s = (standing.az_deg, standing.el_deg), now_s + _START_S
         else:
@@ -69,7 +69,7 @@ def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itiner
             continue
         # What comes after a stretch that is followed is announced, and must be over in time.
         arrived = _arrive(
-            sight, begin, ready_s, piece, either_way=rewinds and not sight.bounds.turn_known, surely=bool(found)
+            track, begin, ready_s, piece, either_way=rewinds and not track.bounds.turn_known, surely=bool(found)
         )
         if arrived is None:
             cuts.append((piece.start_s, piece.end_s, "no-go"))
@@ -79,11 +79,11 @@ def itinerary(sight: Sight, now_s: float, later: Sequence[Curve] = ()) -> Itiner
             cuts.append((piece.start_s, start_s, "cable" if rewinds else "no-go"))
         if piece.end_s - start_s <= _SHORTEST_S:
             continue
-        found.append(Stretch(start_s, piece.end_s, piece.turn, taken if found else None, rewinds))
+        found.append(TrackSegment(start_s, piece.end_s, piece.turn, taken if found else None, rewinds))
     return Itinerary(tuple(found), tuple(sorted(cuts)))
 
 
-def _pieces(sight: Sight, spans: Sequence[tuple[float, float]], taken: Sequence[Run]) -> list[Stretch]:
+def _pieces(track: TargetTrack, spans: Sequence[tuple[float, float]], taken: Sequence[Run]) -> list[TrackSegment]:
     """Return the spans, cut where the turn changes and where the cable does not let the dish follow.
 
     After a rewind a span may begin as soon as the run before has ended: how long the rewind takes is seen to later.
@@ -92,30 +92,30 @@ def _pieces(sight: Sight, spans: Sequence[tuple[float, float]], taken: Sequence[
     free_s = float("-inf")
     for run in taken:
         for start, end in spans:
-            found += _fitting(sight, max(start, min(free_s, run.start_s)), min(end, run.end_s), run.turn)
+            found += _fitting(track, max(start, min(free_s, run.start_s)), min(end, run.end_s), run.turn)
         free_s = run.end_s
     return found
 
 
-def _fitting(sight: Sight, start: float, end: float, turn: int) -> list[Stretch]:
+def _fitting(track: TargetTrack, start: float, end: float, turn: int) -> list[TrackSegment]:
     if end - start <= _SHORTEST_S:
         return []
-    cable = sight.bounds.cable
-    if cable is None or not sight.bounds.turn_known:
-        return [Stretch(start, end, turn)]
-    t = sight.sky.t_s
+    cable = track.bounds.cable
+    if cable is None or not track.bounds.turn_known:
+        return [TrackSegment(start, end, turn)]
+    t = track.sky.t_s
     times = np.concatenate(([start], t[(t > start) & (t < end)], [end]))
-    az = np.interp(times, t, sight.az_deg) + 360.0 * turn
+    az = np.interp(times, t, track.az_deg) + 360.0 * turn
     fits = np.concatenate(([False], (az >= cable[0]) & (az <= cable[1]), [False]))
     edges = np.flatnonzero(np.diff(fits.astype(np.int8)))
     return [
-        Stretch(float(times[first]), float(times[after - 1]), turn)
+        TrackSegment(float(times[first]), float(times[after - 1]), turn)
         for first, after in zip(edges[::2], edges[1::2], strict=True)
         if times[after - 1] - times[first] > _SHORTEST_S
     ]
 
 
-def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[Stretch]) -> list[tuple[float, float, str]]:
+def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[TrackSegment]) -> list[tuple[float, float, str]]:
     """Return what of the spans is in no piece: the cable does not let the dish follow there."""
     left = list(spans)
     for piece in pieces:
@@ -126,18 +126,18 @@ def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[Stretch]) ->
     return [(start, end, "cable") for start, end in left]
 
 
-def _free(sight: Sight, before: Stretch, after: Stretch) -> bool:
+def _free(track: TargetTrack, before: TrackSegment, after: TrackSegment) -> bool:
     """Return whether the dish may go on along the path between two stretches, though nothing is heard there."""
-    t, cable = sight.sky.t_s, sight.bounds.cable
+    t, cable = track.sky.t_s, track.bounds.cable
     part = (t >= before.end_s) & (t <= after.start_s)
-    az = sight.az_deg[part] + 360.0 * after.turn
-    if cable is not None and sight.bounds.turn_known and ((az < cable[0]) | (az > cable[1])).any():
+    az = track.az_deg[part] + 360.0 * after.turn
+    if cable is not None and track.bounds.turn_known and ((az < cable[0]) | (az > cable[1])).any():
         return False
-    return not sight.bounds.blocked(az, sight.pointed_el_deg[part]).any()
+    return not track.bounds.blocked(az, track.pointed_el_deg[part]).any()
 
 
 def _arrive(
-    sight: Sight, begin: tuple[float, float], ready_s: float, piece: Stretch, *, either_way: bool,
+    track: TargetTrack, begin: tuple[float, float], ready_s: float, piece: TrackSegment, *, either_way: bool,
     surely: bool,
 ) -> tuple[Route, float] | None:  # fmt: skip
     """Return the way to a piece and when it is followed from: as soon as the dish can be where the target is then.
@@ -147,7 +147,7 @@ def _arrive(
 
     def there(at_s: float) -> tuple[Route, float] | None:
         """Return the way to where the target is at a time, and how much too late the dish would come."""
-        taken = route(sight.bounds, sight.mount.model, begin, sight.at(at_s, piece.turn), either_way=either_way)
+        taken = route(track.bounds, track.mount.model, begin, track.at(at_s, piece.turn), either_way=either_way)
         return None if taken is None else (taken, ready_s + (taken.worst_s if surely else taken.seconds) - at_s)
 
     late_s, start_s = piece.start_s, piece.start_s

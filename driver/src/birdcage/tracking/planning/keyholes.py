@@ -9,19 +9,21 @@ from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Forecast, Keyhole
 from birdcage.tracking.planning.course import limit_deg
 from birdcage.tracking.planning.forecast import saw_tooth_deg, separations_deg
-from birdcage.tracking.planning.itinerary import Stretch
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.itinerary import TrackSegment
+from birdcage.tracking.planning.target_track import TargetTrack
 
 _SEEN_DEG = 0.03
 """A course that is off by less than this follows its target: three steps of a motor."""
 _NEAR_S = 5.0
 
 
-def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam: Beam | None) -> tuple[Keyhole, ...]:
+def keyholes(
+    track: TargetTrack, stretches: tuple[TrackSegment, ...], course: Curve, beam: Beam | None
+) -> tuple[Keyhole, ...]:
     """Return where the course leads or lags in azimuth."""
     t = course.t_s
-    az, el = sight.dish.sample(t)
-    el = np.clip(el, *sight.elevations(t))
+    az, el = track.dish.sample(t)
+    el = np.clip(el, *track.elevations(t))
     off = separations_deg(course.az_deg, course.el_deg, az, el)
     inside = np.zeros(len(t), dtype=np.bool_)
     for one in stretches:
@@ -30,11 +32,11 @@ def keyholes(sight: Sight, stretches: tuple[Stretch, ...], course: Curve, beam: 
     if not len(where):
         return ()
     found = []
-    peaks = np.hypot(off, saw_tooth_deg(sight.mount.model, course, t, stretches)[1])
+    peaks = np.hypot(off, saw_tooth_deg(track.mount.model, course, t, stretches)[1])
     for part in np.split(where, np.flatnonzero(np.diff(t[where]) > _NEAR_S) + 1):
         start, end = float(t[part[0]]), float(t[part[-1]])
         worst = float(peaks[part].max())
-        limit = limit_deg(sight, stretches, start, end)
+        limit = limit_deg(track, stretches, start, end)
         found.append(Keyhole(start, end, worst, limit, None if beam is None else beam.most_loss_db(worst)))
     return tuple(found)
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 from datetime import UTC, datetime
 
-from birdcage.sky.reach_model import Lost, Reach, Stretch
+from birdcage.sky.reach_model import Lost, PassReach, Stretch
 from birdcage.tracking.planning.itinerary import Itinerary
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 
 _SHORTEST_S = 1e-3
 
 
-def reached(sight: Sight, planned: Itinerary) -> Reach:
+def reached(track: TargetTrack, planned: Itinerary) -> PassReach:
     """Return the reach with the turns that the plan takes."""
-    whole = sight.reached()
-    if sight.bounds.cable is None or not sight.bounds.turn_known:
+    whole = track.reached()
+    if track.bounds.cable is None or not track.bounds.turn_known:
         return whole
     kept: list[Stretch] = []
     lost = list(whole.lost)
@@ -27,13 +27,13 @@ def reached(sight: Sight, planned: Itinerary) -> Reach:
                 kept.append(Stretch(_utc(start), _utc(end), _turn(planned, (start + end) / 2.0)))
     best = whole.best_el_deg if kept else None
     if best is not None and any(reason for _, _, reason in planned.cuts):
-        sky = sight.sky
+        sky = track.sky
         tops = [
             sky.el_deg[(sky.t_s >= one.start.timestamp() - 0.5) & (sky.t_s <= one.end.timestamp() + 0.5)].max()
             for one in kept
         ]
         best = min(best, float(max(tops)))
-    return Reach(tuple(kept), tuple(sorted(lost, key=lambda each: each.start)), best)
+    return PassReach(tuple(kept), tuple(sorted(lost, key=lambda each: each.start)), best)
 
 
 def _divided(

@@ -13,7 +13,7 @@ from birdcage.sky.passes.model import Pass
 from birdcage.sky.targets.model import Satellite, SlotTarget, Target
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Aim, Plan
+from birdcage.tracking.plan import Plan, PlanTarget
 from birdcage.tracking.planning.assembling import Basis, complete, unfollowed
 from birdcage.tracking.planning.day_ahead import day_ahead
 from birdcage.tracking.planning.itinerary import itinerary
@@ -21,8 +21,8 @@ from birdcage.tracking.planning.plan_reach import reached
 from birdcage.tracking.planning.rates import FIRST_SHARE
 from birdcage.tracking.planning.refining import refine
 from birdcage.tracking.planning.refraction import Refraction
-from birdcage.tracking.planning.sight import Sight
 from birdcage.tracking.planning.sky_path import sky_path
+from birdcage.tracking.planning.target_track import TargetTrack
 
 if TYPE_CHECKING:
     from birdcage.sky.downlinks import Downlink
@@ -70,7 +70,7 @@ def plan_pass(
         target, observer, start_s, max(end_s, start_s + _LEAST_S), refraction=refraction, time_offset_s=time_offset_s
     )
     own_offset_s = target.time_offset_s if isinstance(target, Satellite) else 0.0
-    aim = Aim(
+    aim = PlanTarget(
         target.name, target.kind, target.elements.norad_id if isinstance(target, Satellite) else None,
         frequency_hz, own_offset_s + time_offset_s, refraction,
         target.skew(observer) if isinstance(target, SlotTarget) else None, downlink,
@@ -83,14 +83,14 @@ def plan_pass(
 
 
 def _plan(
-    aim: Aim, sky: Curve, mount: Mount, now: datetime, passing: Pass | None, later: Sequence[Curve],
+    aim: PlanTarget, sky: Curve, mount: Mount, now: datetime, passing: Pass | None, later: Sequence[Curve],
     preposition_s: float, elements: ElementError | None, day: Day | None,
 ) -> Plan:  # fmt: skip
-    sight = Sight.of(sky, mount)
+    track = TargetTrack.of(sky, mount)
     now_s = posix_s(now)
-    planned = itinerary(sight, now_s, later)
-    reach = reached(sight, planned)
+    planned = itinerary(track, now_s, later)
+    reach = reached(track, planned)
     if not planned.stretches or mount.model.no_following:
-        return unfollowed(aim, now, passing, reach, sight, elements, day)
+        return unfollowed(aim, now, passing, reach, track, elements, day)
     share = None if mount.model.axes_together else FIRST_SHARE
-    return complete(Basis(aim, now, passing, reach, sight, planned.stretches, preposition_s, elements, day), share)
+    return complete(Basis(aim, now, passing, reach, track, planned.stretches, preposition_s, elements, day), share)

@@ -8,16 +8,16 @@ from itertools import product
 
 import numpy as np
 
-from birdcage.tracking.controller import Controller
+from birdcage.tracking.controller_input import Controller
 from birdcage.tracking.curve import Floats
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Forecast, Keyhole, Leg, Part, Plan
+from birdcage.tracking.plan import Forecast, Keyhole, Plan, PlanLeg, PlanPart
 from birdcage.tracking.planning.assembling import Basis, complete
-from birdcage.tracking.planning.itinerary import Stretch
+from birdcage.tracking.planning.itinerary import TrackSegment
 from birdcage.tracking.planning.rates import HOLDS, SHARES
 from birdcage.tracking.planning.rehearsal import rehearse
 from birdcage.tracking.planning.routes import Route
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 from birdcage.tracking.steering.choice import controller_for
 
 _GOOD_RATIO, _WORTH_DEG = 2.6, 0.5
@@ -46,9 +46,9 @@ def refine(
     if plan.course is None or plan.share is None or not plan.keyholes:
         return replace(plan, refined=True)
     steers = controller_for(mount.model)[1] if controller is None else controller
-    sight = Sight.of(plan.sky, mount)
+    track = TargetTrack.of(plan.sky, mount)
     basis = Basis(
-        plan.aim, plan.made_at, plan.passing, plan.reach, sight, _stretches(plan, sight), preposition_s, plan.elements,
+        plan.aim, plan.made_at, plan.passing, plan.reach, track, _stretches(plan, track), preposition_s, plan.elements,
         plan.day,
     )  # fmt: skip
     about = _about(plan)
@@ -113,21 +113,21 @@ def _spliced(plan: Plan, seen: Forecast, about: Sequence[tuple[float, float]]) -
     return Forecast(t[order], errors, losses, float(np.sqrt(np.mean(errors**2))), greatest)
 
 
-def _stretches(plan: Plan, sight: Sight) -> tuple[Stretch, ...]:
+def _stretches(plan: Plan, track: TargetTrack) -> tuple[TrackSegment, ...]:
     """Return the stretches along which a plan was laid."""
     course = plan.course
     assert course is not None, "a plan without a course has no stretches"
-    found: list[Stretch] = []
-    rewind: Leg | None = None
+    found: list[TrackSegment] = []
+    rewind: PlanLeg | None = None
     for leg in plan.legs:
-        if leg.part is Part.REWIND:
+        if leg.part is PlanPart.REWIND:
             rewind = leg
             continue
         stops, taken = leg.waypoints if rewind is None else rewind.waypoints, None
         if stops:
             before_s, there_s = found[-1].end_s, leg.start_s if rewind is None else rewind.end_s
             taken = Route(course.at(before_s), stops, there_s - before_s)
-        turn = round((leg.from_az_deg - sight.dish.at(leg.start_s)[0]) / 360.0) if leg.turn is None else leg.turn
-        found.append(Stretch(leg.start_s, leg.end_s, turn, taken, rewind is not None))
+        turn = round((leg.from_az_deg - track.dish.at(leg.start_s)[0]) / 360.0) if leg.turn is None else leg.turn
+        found.append(TrackSegment(leg.start_s, leg.end_s, turn, taken, rewind is not None))
         rewind = None
     return tuple(found)

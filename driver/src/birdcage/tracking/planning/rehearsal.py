@@ -12,15 +12,15 @@ from birdcage.antenna.motion import plan_axis
 from birdcage.kinematics import Slew
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
-from birdcage.tracking.controller import Controller, Helm
+from birdcage.tracking.controller_input import Controller, ControllerInput
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Forecast, Part, Plan
+from birdcage.tracking.plan import Forecast, Plan, PlanPart
 from birdcage.tracking.planning.forecast import Offsets, made, offsets_deg
-from birdcage.tracking.planning.sight import Sight
+from birdcage.tracking.planning.target_track import TargetTrack
 from birdcage.tracking.steering.whole import RESTS_S
-from birdcage.tracking.steps import Answer, Limit, Look, Send, Step, Wait
-from birdcage.tracking.steps import Slew as SlewStep
+from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Send, Step, StepResult, Wait
+from birdcage.tracking.steps import SlewTo as SlewStep
 
 Span = tuple[float, float]
 
@@ -42,10 +42,10 @@ def rehearse(
     same seed gives the same latencies. ValueError for a plan that follows nothing then.
     """
     course = plan.course
-    spans = _spans([(leg.start_s, leg.end_s) for leg in plan.legs if leg.part is Part.FOLLOW], within)
+    spans = _spans([(leg.start_s, leg.end_s) for leg in plan.legs if leg.part is PlanPart.FOLLOW], within)
     if course is None or not spans:
         raise ValueError("a plan that follows nothing")
-    dish = Sight.of(plan.sky, mount).dish
+    dish = TargetTrack.of(plan.sky, mount).dish
     step_s = max(_SAMPLE_S, sum(end - start for start, end in spans) / _MOST_SAMPLES)
     times, errors = [], []
     chance = random.Random(seed)  # noqa: S311 - latencies, not secrets
@@ -72,7 +72,7 @@ def _follow(
     start_s, end_s = span
     az, el = course.at(start_s)
     stage = _Stage(model, az, el, start_s, chance)
-    activity = controller(Helm(lambda: course, model, az, el, start_s, end_s))
+    activity = controller(ControllerInput(lambda: course, model, az, el, start_s, end_s))
     try:
         step = next(activity)
         for _ in range(_MOST_STEPS):
@@ -117,25 +117,25 @@ class _Stage:
         self._queues = model.moves_in_turn
         self._busy_s = now_s
 
-    def carry_out(self, step: Step) -> Answer:
+    def carry_out(self, step: Step) -> StepResult:
         """Do what a controller asks for."""
         sent_s = self.now_s
         if isinstance(step, Wait):
             self.now_s = max(self.now_s, step.until_s)
-            return Answer(self.now_s)
+            return StepResult(self.now_s)
         self.now_s += self._model.bits_s(_LINE_BITS) + self._chance.uniform(*LATENCY_S)
         seen_s = self.now_s
         if isinstance(step, SlewStep):
             return self._slew(step)
         if isinstance(step, Send):
             self._send(step)
-        elif isinstance(step, Limit):
+        elif isinstance(step, LimitSpeeds):
             raise TypeError(f"a rehearsal has no {type(step).__name__}")
         self.now_s += self._model.bits_s(_REPLY_BITS)
-        if isinstance(step, Look):
+        if isinstance(step, ReadPosition):
             az, el = (self.axes[axis].at(seen_s)[0] for axis in (MOTOR_AZIMUTH, MOTOR_ELEVATION))
-            return Answer(self.now_s, az_deg=az, el_deg=el, seen_s=seen_s)
-        return Answer(self.now_s, sent_s=sent_s)
+            return StepResult(self.now_s, az_deg=az, el_deg=el, seen_s=seen_s)
+        return StepResult(self.now_s, sent_s=sent_s)
 
     def _send(self, step: Send) -> None:
         axis = self._model.axis(step.axis)
@@ -145,7 +145,7 @@ class _Stage:
         self.axes[step.axis].go(begin_s, slew)
         self._busy_s = begin_s + slew.duration_s
 
-    def _slew(self, step: SlewStep) -> Answer:
+    def _slew(self, step: SlewStep) -> StepResult:
         """Send both axes at once, and wait for the proof that they rest. That they go at once is not known."""
         to = dict(zip((MOTOR_AZIMUTH, MOTOR_ELEVATION), step.waypoints[-1], strict=True))
         begin_s = self.now_s
@@ -156,4 +156,4 @@ class _Stage:
             begin_s += slew.duration_s
         self.now_s = begin_s + RESTS_S
         az, el = (self.axes[motor].at(self.now_s)[0] for motor in to)
-        return Answer(self.now_s, az_deg=az, el_deg=el, seen_s=self.now_s)
+        return StepResult(self.now_s, az_deg=az, el_deg=el, seen_s=self.now_s)

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from birdcage.base.errors import MotionRefused
 from birdcage.rotator.facts import Facts
-from birdcage.tracking.controller import LEAD_S, Controller
+from birdcage.tracking.controller_input import LEAD_S, Controller
 from birdcage.tracking.steering.fast import fast
 from birdcage.tracking.steering.leapfrogging import leapfrog
 from birdcage.tracking.steering.modelled import modelled
@@ -41,7 +41,7 @@ def controller_for(model: Facts, wanted: str = "auto", *, velocity_allowed: bool
 
 
 def lead_s(name: str, delay_s: float) -> float:
-    """Return how long before the target comes into reach a controller takes over; `delay_s` as in `Helm`."""
+    """Return how long before the target comes into reach a controller takes over; `delay_s` as in `ControllerInput`."""
     return PREPARES_S + 2.0 * delay_s if name == "velocity" else LEAD_S
 
 

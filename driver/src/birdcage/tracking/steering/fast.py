@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steering.latency import Latency
-from birdcage.tracking.steering.turns import Interval, Looks, Turn, interval_of, need_of
-from birdcage.tracking.steps import Activity, Look, Send, Wait
+from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of, need_of
+from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
 
 REST_S = 0.02
 """How long it waits where nothing has to move."""
@@ -27,7 +27,7 @@ ROUNDS = 3
 
 
 @dataclass(slots=True)
-class Aim:
+class AxisAim:
     """Where an axis would be sent now."""
 
     goal_deg: float
@@ -37,43 +37,43 @@ class Aim:
     """Whether it is beyond the dead-band."""
 
 
-class Rudder:
+class AxisFollower:
     """One axis of a fast dish: when it was sent, and where to send it next."""
 
-    def __init__(self, helm: Helm, column: int, belief: AxisBelief | None = None) -> None:
-        self._helm = helm
+    def __init__(self, guide: ControllerInput, column: int, belief: AxisBelief | None = None) -> None:
+        self._guide = guide
         self._column = column
-        self.axis = (helm.model.azimuth, helm.model.elevation)[column]
+        self.axis = (guide.model.azimuth, guide.model.elevation)[column]
         self.index = self.axis.index
-        self.belief = belief or AxisBelief(self.axis, (helm.start_az_deg, helm.start_el_deg)[column], helm.now_s)
-        self.sent_s = helm.now_s
+        self.belief = belief or AxisBelief(self.axis, (guide.start_az_deg, guide.start_el_deg)[column], guide.now_s)
+        self.sent_s = guide.now_s
 
-    def aim(self, acts_s: float, interval: Interval) -> Aim:
+    def aim(self, acts_s: float, interval: Interval) -> AxisAim:
         """Choose a goal for a command that acts at a time, and is the last one of this axis for an interval."""
-        course, column = self._helm.course(), self._column
+        course, column = self._guide.course(), self._column
         goal, ahead_s = self.belief.goal_deg, interval.mean_s / 2.0
         for _ in range(ROUNDS):
-            goal = course.at(min(acts_s + ahead_s, self._helm.until_s))[column]
+            goal = course.at(min(acts_s + ahead_s, self._guide.until_s))[column]
             move_s = self.belief.planned(goal, acts_s).duration_s
             ahead_s = interval.middle_s(move_s) if move_s < interval.mean_s else move_s
         goal = self.belief.quantised(goal, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
-        return Aim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
+        return AxisAim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
 
-    def turn(self, acts_s: float, latency: Latency) -> Turn:
+    def turn(self, acts_s: float, latency: Latency) -> AxisTurn:
         """Return what decides when it is its turn again."""
-        course, column = self._helm.course(), self._column
+        course, column = self._guide.course(), self._column
         before, after = course.at(acts_s - ABOUT_S)[column], course.at(acts_s + ABOUT_S)[column]
         rate = abs(after - before) / (2.0 * ABOUT_S) * self._lift(acts_s)
         least = self._least_deg(after - before) * self._lift(acts_s)
-        return Turn(rate, self.sent_s, latency.of(self.index), least)
+        return AxisTurn(rate, self.sent_s, latency.of(self.index), least)
 
     def _least_deg(self, way_deg: float) -> float:
         """Return the least way that is worth a command."""
-        return max(dead_band_deg(self._helm, self.axis), self.axis.least_way_deg(way_deg))
+        return max(dead_band_deg(self._guide, self.axis), self.axis.least_way_deg(way_deg))
 
     def _lift(self, at_s: float) -> float:
-        return math.cos(math.radians(self._helm.course().at(at_s)[1])) if self._column == 0 else 1.0
+        return math.cos(math.radians(self._guide.course().at(at_s)[1])) if self._column == 0 else 1.0
 
     def sent(self, goal_deg: float, acted_s: float) -> None:
         """Take in that the dish has acted on a command."""
@@ -81,42 +81,44 @@ class Rudder:
         self.belief.send(goal_deg, acted_s)
 
 
-def fast(helm: Helm) -> Activity:
+def fast(guide: ControllerInput) -> Activity:
     """Follow as fast as the prompt returns; the position that is read serves as a check."""
-    yield from steer(helm, looks=True)
+    yield from steer(guide, looks=True)
 
 
-def steer(helm: Helm, *, looks: bool, beliefs: tuple[AxisBelief | None, AxisBelief | None] = (None, None)) -> Activity:
+def steer(
+    guide: ControllerInput, *, looks: bool, beliefs: tuple[AxisBelief | None, AxisBelief | None] = (None, None)
+) -> Activity:
     """Follow with or without reading the position; `beliefs`: of a dish that is on its way already."""
-    latency = Latency(helm.model, helm.latency_s)
-    rudders = Rudder(helm, 0, beliefs[0]), Rudder(helm, 1, beliefs[1])
-    now_s, look_s = helm.now_s, helm.now_s + helm.look_every_s
-    while now_s < helm.until_s:
+    latency = Latency(guide.model, guide.latency_s)
+    followers = AxisFollower(guide, 0, beliefs[0]), AxisFollower(guide, 1, beliefs[1])
+    now_s, look_s = guide.now_s, guide.now_s + guide.look_every_s
+    while now_s < guide.until_s:
         if looks and now_s >= look_s:
-            seen = yield Look()
+            seen = yield ReadPosition()
             now_s = seen.now_s
-            look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + helm.look_every_s, now_s)
-            for rudder, read_deg in zip(rudders, (seen.az_deg, seen.el_deg), strict=True):
-                rudder.belief.check(read_deg, latency.seen_s(seen))
+            look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + guide.look_every_s, now_s)
+            for follower, read_deg in zip(followers, (seen.az_deg, seen.el_deg), strict=True):
+                follower.belief.check(read_deg, latency.seen_s(seen))
             continue
-        turns = tuple(rudder.turn(now_s, latency) for rudder in rudders)
-        looking = Looks(look_s if looks else math.inf, helm.look_every_s, latency.mean_s)
-        best: tuple[float, Rudder, Aim] | None = None
-        for column, rudder in enumerate(rudders):
-            acts_s = now_s + latency.of(rudder.index)
+        turns = tuple(follower.turn(now_s, latency) for follower in followers)
+        looking = ReadingTimes(look_s if looks else math.inf, guide.look_every_s, latency.mean_s)
+        best: tuple[float, AxisFollower, AxisAim] | None = None
+        for column, follower in enumerate(followers):
+            acts_s = now_s + latency.of(follower.index)
             interval = interval_of(column, turns, now_s, looking, latency.variance_s2)
-            aim = rudder.aim(acts_s, interval)
-            need = need_of(aim.off_deg, acts_s - rudder.sent_s)
+            aim = follower.aim(acts_s, interval)
+            need = need_of(aim.off_deg, acts_s - follower.sent_s)
             if aim.due and (best is None or need > best[0]):
-                best = need, rudder, aim
+                best = need, follower, aim
         if best is None:
-            now_s = (yield Wait(min(now_s + REST_S, helm.until_s))).now_s
+            now_s = (yield Wait(min(now_s + REST_S, guide.until_s))).now_s
             continue
-        _, rudder, aim = best
-        acts_s = now_s + latency.of(rudder.index)
-        move_s = rudder.belief.planned(aim.goal_deg, acts_s).duration_s
-        answer = yield Send(rudder.index, aim.goal_deg)
+        _, follower, aim = best
+        acts_s = now_s + latency.of(follower.index)
+        move_s = follower.belief.planned(aim.goal_deg, acts_s).duration_s
+        answer = yield Send(follower.index, aim.goal_deg)
         if answer.sent_s is not None:
-            acts_s = latency.measure(rudder.index, answer, move_s)
-        rudder.sent(aim.goal_deg, acts_s)  # where its answer is lost, the dish has most likely taken it all the same
-        now_s, helm.latency_s = answer.now_s, latency.mean_s
+            acts_s = latency.measure(follower.index, answer, move_s)
+        follower.sent(aim.goal_deg, acts_s)  # where its answer is lost, the dish has most likely taken it all the same
+        now_s, guide.latency_s = answer.now_s, latency.mean_s

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.rotator.facts import Facts
-from birdcage.tracking.steps import Answer
+from birdcage.tracking.steps import StepResult
 
 SHARE = 0.15
 """What a new measurement counts: six commands, a second or so, until a change shows."""
@@ -70,11 +70,11 @@ class Latency:
         """That of azimuth and elevation."""
         return sum(self._axes[index].seconds for index in self._both) / 2.0
 
-    def seen_s(self, answer: Answer) -> float:
+    def seen_s(self, answer: StepResult) -> float:
         """Return when the dish was where a reading says: as it answers, not as it is asked."""
         return answer.now_s - self._reading_s
 
-    def measure(self, axis: int, answer: Answer, move_s: float) -> float:
+    def measure(self, axis: int, answer: StepResult, move_s: float) -> float:
         """Take in what came of a command whose move takes `move_s`; return when the dish acted on it, POSIX seconds."""
         if answer.sent_s is None:
             return answer.now_s

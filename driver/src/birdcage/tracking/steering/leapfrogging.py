@@ -9,31 +9,31 @@ from __future__ import annotations
 from birdcage.base.geometry import shortest_turn
 from birdcage.leapfrog import overshoot
 from birdcage.rotator.axis import Axis
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.dead_band import dead_band_deg
-from birdcage.tracking.steps import Activity, Look, Send, Wait
+from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
 
 EVERY_S = 1.0
 
 
-def leapfrog(helm: Helm) -> Activity:
+def leapfrog(guide: ControllerInput) -> Activity:
     """Read the position, then send both axes; the overshoot is reckoned from the reading, never from an assumption."""
-    model = helm.model
-    sent = {model.azimuth.index: helm.start_az_deg, model.elevation.index: helm.start_el_deg}
-    now_s = helm.now_s
-    while now_s < helm.until_s:
+    model = guide.model
+    sent = {model.azimuth.index: guide.start_az_deg, model.elevation.index: guide.start_el_deg}
+    now_s = guide.now_s
+    while now_s < guide.until_s:
         tick_s = now_s
-        seen = yield Look()
+        seen = yield ReadPosition()
         now_s = seen.now_s
-        target = helm.course().at(now_s)
+        target = guide.course().at(now_s)
         for axis, wanted_deg, read_deg in zip(
             (model.azimuth, model.elevation), target, (seen.az_deg, seen.el_deg), strict=True
         ):
             goal_deg = _beyond(axis, wanted_deg, read_deg, turns=axis is model.azimuth)
-            if abs(goal_deg - sent[axis.index]) >= dead_band_deg(helm, axis) and now_s < helm.until_s:
+            if abs(goal_deg - sent[axis.index]) >= dead_band_deg(guide, axis) and now_s < guide.until_s:
                 now_s = (yield Send(axis.index, goal_deg)).now_s
                 sent[axis.index] = goal_deg
-        now_s = (yield Wait(min(max(tick_s + EVERY_S, now_s), helm.until_s))).now_s
+        now_s = (yield Wait(min(max(tick_s + EVERY_S, now_s), guide.until_s))).now_s
 
 
 def _beyond(axis: Axis, wanted_deg: float, read_deg: float | None, *, turns: bool) -> float:

@@ -5,14 +5,14 @@ Where it stands is what it was sent to: nothing is read, and nothing shows a mov
 
 from __future__ import annotations
 
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering import fast, queued, whole
 from birdcage.tracking.steps import Activity
 
 
-def modelled(helm: Helm) -> Activity:
+def modelled(guide: ControllerInput) -> Activity:
     """Follow by the model of both axes alone."""
-    if not helm.model.moves_one_axis:
-        yield from whole.steer(helm)
+    if not guide.model.moves_one_axis:
+        yield from whole.steer(guide)
         return
-    yield from (queued.steer if helm.model.moves_in_turn else fast.steer)(helm, looks=False)
+    yield from (queued.steer if guide.model.moves_in_turn else fast.steer)(guide, looks=False)

@@ -14,7 +14,7 @@ FURTHEST = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Turn:
+class AxisTurn:
     """What decides when it is an axis' turn; degrees on the sky, POSIX seconds."""
 
     rate_deg_s: float
@@ -26,7 +26,7 @@ class Turn:
 
 
 @dataclass(frozen=True, slots=True)
-class Looks:
+class ReadingTimes:
     """When the position is read, which takes the wire as a command does."""
 
     next_s: float
@@ -54,7 +54,9 @@ def need_of(off_deg: float, waits_s: float) -> float:
     return off_deg**2 * max(waits_s, 1e-3)
 
 
-def interval_of(column: int, turns: tuple[Turn, ...], now_s: float, looks: Looks, variance_s2: float) -> Interval:
+def interval_of(
+    column: int, turns: tuple[AxisTurn, ...], now_s: float, looks: ReadingTimes, variance_s2: float
+) -> Interval:
     """Return how long an axis will wait if it gets its command now. `variance_s2`: of one exchange."""
     acts_s = free_s = now_s + turns[column].latency_s
     look_s, exchanges = looks.next_s, 0

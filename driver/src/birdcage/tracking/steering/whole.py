@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from birdcage.antenna.motion import plan_axis
 from birdcage.rotator.facts import Facts
-from birdcage.tracking.controller import Helm
+from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.dead_band import dead_band_deg
-from birdcage.tracking.steps import Activity, Slew, Wait
+from birdcage.tracking.steps import Activity, SlewTo, Wait
 
 RESTS_S = 0.75
 """From the end of a move until the next command leaves: the proof that it is over, and the line. At first a guess."""
@@ -22,25 +22,25 @@ ROUNDS = 3
 """Of the fixed point between where a move ends and how long it takes."""
 
 
-def steer(helm: Helm) -> Activity:
+def steer(guide: ControllerInput) -> Activity:
     """Follow step by step."""
-    az_deg, el_deg, now_s = helm.start_az_deg, helm.start_el_deg, helm.now_s
-    bands = dead_band_deg(helm, helm.model.azimuth), dead_band_deg(helm, helm.model.elevation)
+    az_deg, el_deg, now_s = guide.start_az_deg, guide.start_el_deg, guide.now_s
+    bands = dead_band_deg(guide, guide.model.azimuth), dead_band_deg(guide, guide.model.elevation)
     lasts_s: float | None = None
-    while now_s < helm.until_s:
-        course = helm.course()
+    while now_s < guide.until_s:
+        course = guide.course()
         to = course.at(now_s)
         for _ in range(ROUNDS):
-            moves_s = move_s(helm.model, to[0] - az_deg, to[1] - el_deg)
+            moves_s = move_s(guide.model, to[0] - az_deg, to[1] - el_deg)
             step_s = moves_s + RESTS_S if lasts_s is None else lasts_s
             # What a step takes is measured; of a dish that is faster than its facts it tells how fast at the least.
             moves_s = min(moves_s, max(step_s - RESTS_S, 0.0))
-            to = course.at(max(now_s + helm.latency_s + (step_s + moves_s) / 2.0, helm.from_s))
+            to = course.at(max(now_s + guide.latency_s + (step_s + moves_s) / 2.0, guide.from_s))
         if abs(to[0] - az_deg) < bands[0] and abs(to[1] - el_deg) < bands[1]:
-            now_s = (yield Wait(min(now_s + WAIT_S, helm.until_s))).now_s
+            now_s = (yield Wait(min(now_s + WAIT_S, guide.until_s))).now_s
             continue
         began_s, (az_deg, el_deg) = now_s, to
-        now_s = (yield Slew((to,))).now_s
+        now_s = (yield SlewTo((to,))).now_s
         took_s = now_s - began_s
         lasts_s = took_s if lasts_s is None else lasts_s + LEARNS * (took_s - lasts_s)
 

@@ -1,0 +1,384 @@
+"""What the station does while idle: polls what is watched, and notices what should not be."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.antenna.gate import UNTOLD
+from birdcage.antenna.reckoning import FRESH_S, apart_deg
+from birdcage.antenna.rest import APART_S, STILL_DEG
+from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
+from birdcage.base.trouble import MotorTrouble
+from birdcage.rotator import values
+from birdcage.rotator.facts import SearchSwitch
+from birdcage.station.control import Control
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.events import End, FaultRaised, TranscriptLine
+from birdcage.station.mover import Mover
+from birdcage.station.stalls import MotorFault, blocked, motor_fault
+from birdcage.station.starting import Starting
+from birdcage.station.state import Activity, Fault, LinkPhase, Pointing, TvSearch
+from birdcage.station.state_store import StateStore
+from birdcage.station.stopper import Stopper
+from birdcage.station.watches import Watches
+
+CLOCK_STEP_S = 2.0
+UNASKED_DEG = 0.3
+"""At rest a reading repeats to a hundredth; this much is motion."""
+UNASKED_POLL_S = 0.2
+LESS_THAN_A_FAILED_HOMING = ("reboot", "unhomed")
+"""Faults that say less than that an axis failed to home, which takes their place."""
+
+
+class DishMonitor:
+    """Idle work: polls, and the alarms for unasked motion, reboots, suspends and clock steps."""
+
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
+        reader: DishReader,
+        watches: Watches,
+    ) -> None:  # fmt: skip
+        self._stopper = stopper
+        self._store, self._antenna, self._control = store, antenna, control
+        self._mover, self._reader, self._watches = mover, reader, watches
+        self._offset_s = self._clock_offset_s()
+        self._look_again_at: float | None = None
+        self._unsettled = False
+        """Whether the dish must be seen at rest, in the motor menu, before anything else is read."""
+        self.paused = False
+        """Set while somebody talks to the dish: nothing is asked for then."""
+        self._met = False
+        """Whether the dish has answered this station before: else its boot text is the beginning, not a restart."""
+        self._failed_to_home = False
+        """Whether an axis has failed to home in the start that is under way: that says more than the restart."""
+        self._doubted: Pointing | None = None
+        """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
+        self._rested: Pointing | None = None
+        """Where the dish was first seen at rest since it last moved: it may also creep from one reading to the next."""
+        self.on_interrupted: Callable[[str], None] = lambda _reason: None
+        """Told before the latch closes: `link`, `fault` or `clock`."""
+        self.on_restart: Callable[[], None] = lambda: None
+        """Told when the dish was heard to start: nothing that was counted before holds."""
+        self._starting = Starting(store, antenna, mover)
+        mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
+        reader.on_forgotten = self._forgotten
+
+    def due(self) -> float | None:
+        """Return when there is something to look at; nothing else is asked for while the dish moves."""
+        if self._store.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
+            return None
+        if self.paused:
+            return None
+        if self._reader.wants_survey and not self._unsettled:
+            return -math.inf
+        signal = self._signal_due()
+        if self._watches.excursion is not None:
+            return signal  # in the tuner's menu until the reads are done: the position waits
+        times = (self._look_again_at, self._position_due(), signal)
+        return min((time for time in times if time is not None), default=None)
+
+    def _position_due(self) -> float | None:
+        if self._store.state.activity is Activity.UNKNOWN and not self._antenna.strategy.reads_position:
+            return self._antenna.reckoning.moves_until  # then it is over by its time, though nothing tells
+        # Whoever waits to leave this menu needs an answer from it first.
+        return self._watches.position_due(for_any=not self._reader.may_leave)
+
+    def _signal_due(self) -> float | None:
+        dish = self._store.state.dish
+        if dish is None or not dish.has_rssi or self._store.state.activity is not Activity.IDLE:
+            return None
+        if self._watches.excursion is None and not self._reader.may_leave:
+            return None
+        return self._watches.rssi_due()
+
+    def tick(self) -> None:
+        """Look at whatever is due."""
+        if self._reader.wants_survey and not self._unsettled:
+            self._reader.survey()
+            return
+        now = self._store.clock.monotonic()
+        signal, position = self._signal_due(), self._position_due()
+        if self._watches.excursion is not None:
+            self._read_signal(now)
+        elif (position is not None and position <= now) or self._is_due(self._look_again_at, now):
+            self._read_position()
+        elif self._is_due(signal, now):
+            self._read_signal(now)
+
+    @staticmethod
+    def _is_due(time: float | None, now: float) -> bool:
+        return time is not None and time <= now
+
+    def _read_signal(self, now: float) -> None:
+        self._reader.signal()
+        self._watches.rssi_was_read(now, self._reader.signal_not_before)
+
+    def heard_position(self, told: values.Look) -> None:
+        """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
+        if not self._antenna.strategy.reads_position:
+            self._heard_on_its_way(told)
+            return
+        state, resting = self._store.state, (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
+        if state.link.state is LinkPhase.UP and state.activity in resting and not self.paused:
+            self._read_position(told)
+
+    def _heard_on_its_way(self, look: values.Look) -> None:
+        """Hear where a dish is that says so while it moves, perhaps unasked."""
+        if self._store.state.link.state is not LinkPhase.UP:
+            return
+        antenna, now, before = self._antenna, self._store.clock.monotonic(), self._store.state.position
+        told = antenna.rotator.position(look)
+        heard, stands = antenna.reckoning.hear(told, now), antenna.gate.position
+        if antenna.motion is not None:
+            self._reader.told(heard)
+            return
+        if stands is not None and apart_deg(told, stands) <= UNASKED_DEG:
+            return  # the last word of a move that is over
+        antenna.gate.forget(UNTOLD)
+        here = self._reader.told(heard)
+        self._look_again_at = now + FRESH_S  # then nothing is known of it any more
+        twice = before is not None and not before.modelled and self._reader.apart_deg(before, here) > UNASKED_DEG
+        if twice and self._store.state.activity is Activity.IDLE and not self.paused:
+            self._moves_unasked()
+
+    def _read_position(self, told: values.Look | None = None) -> None:
+        before, stops = self._store.state.position, self._stopper.count
+        self._reader.meet_untold()
+        after = self._reader.position(heard=told)
+        self._watches.position_was_read(self._store.clock.monotonic())
+        self._look_again_at = None
+        if self._stopper.count == stops:
+            self._judge(before, after)  # else STOP came in the middle of it, and looks for itself
+
+    def _judge(self, before: Pointing | None, after: Pointing | None) -> None:
+        """At rest, two readings must agree; else the dish moves unasked."""
+        if after is None:
+            self._unsettled = False
+            return
+        if before is None:
+            self.look_again()  # one reading says nothing about motion
+            return
+        activity, doubted, self._doubted = self._store.state.activity, self._doubted, None
+        if activity is not Activity.IDLE and after.at - before.at < APART_S:
+            self.look_again()  # a dish that moves is seen twice at the same place, so soon
+            return
+        # After a motion that is not followed, or out of sight, a slow dish must not pass for one at rest.
+        least_deg = STILL_DEG if self._unsettled or activity is not Activity.IDLE else UNASKED_DEG
+        if self._reader.apart_deg(doubted or before, after) <= least_deg:
+            if activity is Activity.IDLE and self._has_crept(doubted or before, after):
+                self._moves_unasked()
+                return
+            self._antenna.motion = None
+            self._unsettled = False
+            self._mover.activity(Activity.IDLE, "")
+            return
+        self.look_again()
+        if activity is Activity.UNKNOWN and not self._store.state.raw_motion:
+            if self._searches_when_met:
+                # No fault: it did so before anybody was here. Most likely it searches, as it does from power-up on.
+                self._mover.activity(Activity.MOVING_UNASKED, "")
+            elif self._antenna.motion is None and not self._unsettled:
+                self._moves_unasked()
+        elif activity is Activity.IDLE and doubted is None:
+            self._doubted = before  # a digit may have been lost on the wire: only a second reading is proof
+        elif activity is Activity.IDLE:
+            self._moves_unasked()
+
+    def _has_crept(self, before: Pointing, after: Pointing) -> bool:
+        """Return whether a dish of which each reading agrees with the last one is elsewhere than where it rested."""
+        rested, since = self._rested, self._store.state.activity_since
+        if rested is None or rested.at < since:
+            rested = self._rested = before if before.at >= since else after
+        return self._reader.apart_deg(rested, after) > UNASKED_DEG
+
+    def _moves_unasked(self) -> None:
+        self._mover.activity(Activity.MOVING_UNASKED, "")
+        self._mover.forget_target()
+        self.look_again()
+        if self._store.state.fault is not None and self._store.state.search is TvSearch.RUNNING:
+            return  # it was told that the dish has restarted, and that it searches then
+        self.raise_fault(
+            "moved", "The dish moves unasked",
+            "Its own TV search, another program, a hand or the wind may move it.",
+            "Keep clear. Press Space to stop it. If it goes on, cut its power.",
+        )  # fmt: skip
+
+    @property
+    def _searches_when_met(self) -> bool:
+        return self._antenna.rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP
+
+    def met(self) -> None:
+        """The dish answers: see whether it moves."""
+        self._met = True
+        self._starting.answers()
+        if self._store.state.activity is Activity.INITIALIZING:
+            self._mover.activity(Activity.UNKNOWN, "")
+        self.look_again()
+
+    def look_afresh(self, *, unsettled: bool) -> None:
+        """Somebody else had the console: read the position at once; `unsettled`, until the dish is seen at rest."""
+        self._unsettled = self._unsettled or unsettled
+        self._look_again_at = self._store.clock.monotonic()
+
+    def look_again(self) -> None:
+        """Read the position twice in short order, to see whether the dish moves."""
+        self._look_again_at = self._store.clock.monotonic() + UNASKED_POLL_S
+
+    def _stalled(self, sentence: str) -> None:
+        self._mover.activity(Activity.IDLE, "")
+        self._raise_stall(blocked("", sentence))
+
+    def _raise_stall(self, fault: MotorFault) -> None:
+        self.raise_fault("stall", fault.what, fault.meaning, fault.remedy)
+
+    def slow(self, sentence: str) -> None:
+        """A speed that was changed for a while could not be put back."""
+        self.raise_fault(
+            "speed", "The dish did not restore its speed", f"The dish moves slower than planned. {sentence}",
+            "Set its speed, or switch it off and on to restore its own.",
+        )  # fmt: skip
+
+    def _forgotten(self) -> None:
+        """Homing was lost without boot text: as after a dip of the supply."""
+        self._antenna.motion = None
+        self._reader.forget_survey()
+        self.interrupted("fault")
+        self.raise_fault(
+            "unhomed", "The dish no longer knows where it points",
+            "It was homed a moment ago. Its power dipped, or it restarted silently.",
+            "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
+        )  # fmt: skip
+
+    def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
+        """Stop asking for motion, and say so until a person acknowledges."""
+        at, utc = self._store.stamp()
+        fault = Fault(reason, what, meaning, remedy, utc)
+        self._store.change(fault=fault)
+        self._store.tell(FaultRaised(at, utc, fault))
+        self._control.hold("birdcage", "fault")
+
+    def on_line(self, line: str) -> None:
+        """Hear an unsolicited line."""
+        raw = self._antenna.raw
+        self._store.tell(TranscriptLine(*self._store.stamp(), "<", line, raw is not None and raw.is_prompt(line)))
+        self._starting.hear(line, met=self._met)
+
+    def troubled(self, trouble: MotorTrouble) -> None:
+        """Hear unasked that an axis does not turn, or did not find its reference."""
+        self._store.tell(TranscriptLine(*self._store.stamp(), "<", trouble.said))
+        if self._met:
+            self.hear_trouble(trouble)
+            return
+        self._hear_failed_homing(trouble)
+        self._starting.hear(trouble.said, met=self._met)
+
+    def restarted(self, line: str) -> None:
+        """Hear a line that tells that the dish has just started: it has forgotten everything."""
+        self._store.tell(TranscriptLine(*self._store.stamp(), "<", line))
+        self._starting.ended()
+        self.on_restart()
+        fault = self._store.state.fault
+        if not self._met:
+            self._mover.activity(Activity.INITIALIZING, line.strip())
+        elif fault is None or fault.reason != "reboot":
+            self.forget("reboot")
+            self.interrupted("fault")
+            self._starting.ended()
+            if fault is None or not self._failed_to_home:
+                self.raise_fault(
+                    "reboot", f"The dish has restarted: {line.strip()!r}",
+                    "It homes by itself or must be homed, and may start its TV search.",
+                    "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
+                )  # fmt: skip
+        self._failed_to_home = False
+
+    def hear_trouble(self, trouble: MotorTrouble) -> None:
+        """End what moves, and raise the fault."""
+        found = motor_fault(trouble, self._antenna.rotator.facts)
+        fault, motion = self._store.state.fault, self._antenna.motion
+        self._mover.fail(End.FAULT, found.what, Stopped(found.what, reason="stall"))
+        if motion is not None and motion.silent:
+            self._stopper.call("birdcage", "fault")  # the other axis is still on its way
+            self._stopper.take_calls()
+        else:
+            self._antenna.motion = None  # STOP must not send it to its target once more
+            self._mover.activity(Activity.UNKNOWN, "")
+            self._unsettled = True  # the other axis may still be on its way, as it was asked to
+            self.look_again()
+        if found.homing:
+            self._hear_failed_homing(trouble)
+        elif fault is None:
+            self._raise_stall(found)
+
+    def _hear_failed_homing(self, trouble: MotorTrouble) -> None:
+        """Of a dish that starts, and was not met yet, only a failed homing counts."""
+        found, fault = motor_fault(trouble, self._antenna.rotator.facts), self._store.state.fault
+        if not found.homing:
+            return
+        self._failed_to_home = True
+        if fault is None or fault.reason in LESS_THAN_A_FAILED_HOMING:
+            self._raise_stall(found)
+
+    def hear_refusal(self, error: BirdcageError) -> bool:
+        """Return whether what the dish answered instead of its reply was that an axis is in trouble."""
+        trouble = error.trouble if isinstance(error, CommandRefused) else None
+        if trouble is not None:
+            self.hear_trouble(trouble)
+        return trouble is not None
+
+    def forget(self, reason: str) -> None:
+        """Drop what is known of the position."""
+        # A dish that starts finds its references, or says that it has none.
+        self._antenna.gate.released.clear()
+        self._antenna.motion = None
+        self._reader.forget_survey()
+        self._reader.forget(reason)
+        self._store.change(homed=None)
+
+    def expect_another_dish(self) -> None:
+        """What answers next may be another dish: drop what is known of this one."""
+        self._met, self._doubted = False, None
+        self._mover.forget_target()
+        self._control.expect_another_dish()
+        self.forget("link")
+
+    def interrupted(self, reason: str) -> None:
+        """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
+        state = self._store.state
+        moving = self._mover.is_moving or state.activity is Activity.FOLLOWING
+        holder = state.holder
+        self.on_interrupted(reason)
+        self._mover.fail(
+            End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
+        )
+        self._watches.end_excursion()
+        self._antenna.strategy.lose_track(self._store.clock)
+        if moving:
+            self._store.change(motion=None)  # a pursuit's, too: where it leads now is not known
+            self._mover.activity(Activity.UNKNOWN, "")
+            self.look_again()
+        if moving or holder is not None:
+            self._control.hold("birdcage", reason)
+
+    def check_clock(self) -> None:
+        """Notice a suspend or a step of the clock: stop what moves, hold, and read the position again."""
+        offset_s = self._clock_offset_s()
+        # From one look to the next: a clock that is slewed slowly does not step.
+        step_s, self._offset_s = offset_s - self._offset_s, offset_s
+        if abs(step_s) <= CLOCK_STEP_S:
+            return
+        reason = f"suspend or clock step of {step_s:+.0f} s"
+        self.on_interrupted("clock")
+        self._reader.forget("clock")
+        self.look_again()
+        self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was cancelled."))
+        if self._antenna.motion is not None:
+            self._stopper.call("birdcage", reason)
+            self._stopper.take_calls()
+        self._control.hold("birdcage", reason)
+
+    def _clock_offset_s(self) -> float:
+        clock = self._store.clock
+        return clock.utc().timestamp() - clock.monotonic() * clock.rate

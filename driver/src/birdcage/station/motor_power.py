@@ -1,0 +1,112 @@
+"""Serves what a person does to the motors by hand: their current, their speed, and the firmware's own stow."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
+from birdcage.station.applying import refuse_while_moving
+from birdcage.station.control import Control
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.events import End
+from birdcage.station.mover import Job, Mover
+from birdcage.station.state import Activity
+from birdcage.station.state_store import StateStore
+from birdcage.station.stopper import Stopper
+
+
+class MotorPower:
+    """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
+
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
+        reader: DishReader,
+        wire_free: Callable[[], None],
+    ) -> None:  # fmt: skip
+        self._store, self._antenna, self._control, self._mover = store, antenna, control, mover
+        self._stopper, self._reader, self._wire_free = stopper, reader, wire_free
+
+    def release(self, holder: str, stops_seen: int) -> None:
+        """Take the current off.
+
+        It drives nothing, and is what one does when the dish hangs on its tripod and its motors push: so neither HELD
+        (which STOP has just latched) nor a fault nor unreadable settings keep it back, and while HELD it takes no
+        lease. Only a release that was asked for *before* STOP is dropped (Stopped): a dish that has just been stopped
+        must not fall because of it. LeaseDenied while somebody else has control.
+        """
+        held = self._control.latched
+        if not held:
+            self._control.take(holder)
+        self._wire_free()
+
+        def permit() -> None:
+            if self._stopper.count != stops_seen:
+                raise Stopped("STOP came after this request: the motors keep their current. Ask again.")
+
+        self._antenna.maintenance.release_motors(permit=permit)
+        self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
+        self._antenna.motion = None
+        self._reader.unknown(PositionUnknown("The motors were released.", reason="released"))
+        self._mover.activity(Activity.IDLE, "")
+        self._stopper.motors_were_released()
+
+    def engage(self, holder: str) -> None:
+        """Put the current back on: a motion, for the dish may jerk to the next step. Its position stays unknown."""
+        self._control.admit(holder)
+        self._wire_free()
+        refuse_while_moving(self._store, self._antenna, "The motors are not engaged")
+        self._antenna.rotator.engage_motors()
+        self._reader.position()
+
+    def stow(self, holder: str, future: Future[object]) -> None:
+        """Fold the dish flat. The future resolves with where it came to rest; nothing is known to stop it."""
+        model, state = self._antenna.rotator.facts, self._store.state
+        if not model.has_stow:
+            raise MotionRefused(f"The {model.name} has no command to stow. Nothing was sent.", reason="unsupported")
+        if not state.stow_allowed:
+            feed = f"the feed {state.feed_name!r}" if state.feed_name else "this feed"
+            raise MotionRefused(
+                f"With {feed} the dish must not fold flat: it could be crushed. Nothing was sent. If the feed fits, "
+                "set stow_allowed in its section of birdcage.toml.",
+                reason="feed",
+            )
+        self._control.admit(holder)
+        self._wire_free()
+        refuse_while_moving(self._store, self._antenna, "The dish is not stowed")
+        if self._reader.position() is None:
+            raise PositionUnknown(
+                "The dish does not know where it points, so it can't stow. Home it first.",
+                reason=self._antenna.gate.unknown_reason,
+            )
+        self._mover.activity(Activity.STOWING, "")
+        self._store.change(position_lost="stowing")
+        self._stopper.homing = True
+        try:
+            self._antenna.maintenance.stow()
+        except BaseException:
+            if self._store.state.activity is Activity.STOWING:
+                self._mover.activity(Activity.UNKNOWN, "")
+            raise
+        finally:
+            self._stopper.homing = False
+            self._stopper.resume()
+        if self._control.latched:
+            raise Stopped("STOP came while the dish stowed.")
+        self._mover.await_rest(Job(0.0, 0.0, holder, future))
+
+    def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
+        """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
+        state, rotator = self._store.state, self._antenna.rotator
+        if state.holder not in (None, holder):
+            raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is free.")
+        if not rotator.facts.has_speeds:
+            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason="unsupported")
+        if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
+            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason="unsupported")
+        self._wire_free()
+        refuse_while_moving(self._store, self._antenna, "No speed is set")
+        speed_deg_s = self._reader.set_speed(motor, speed_deg_s)
+        rotator.make_ready()
+        return speed_deg_s

@@ -1,0 +1,250 @@
+"""Serves requests, one at a time, on the station's thread."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
+from birdcage.station import requests as ask
+from birdcage.station.applying import Applying
+from birdcage.station.control import Control
+from birdcage.station.dish_monitor import DishMonitor
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.events import End, FaultAcknowledged
+from birdcage.station.features import FeatureHandler
+from birdcage.station.motor_power import MotorPower
+from birdcage.station.mover import Job, Mover
+from birdcage.station.pursuit_runner import PursuitRunner
+from birdcage.station.raw import CONSOLE
+from birdcage.station.raw_console import RawConsole
+from birdcage.station.rewire import Rewire
+from birdcage.station.search_control import SearchControl
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, LinkPhase
+from birdcage.station.state_store import StateStore
+from birdcage.station.stopper import Stopper
+from birdcage.station.watches import Watches
+
+
+class RequestHandler:
+    """Knows who serves what. Errors are raised, and become the future's."""
+
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
+        reader: DishReader,
+        watches: Watches, monitor: DishMonitor, rewire: Rewire, raw_console: RawConsole,
+        applying: Applying, settings: StationSettings, pursuits: PursuitRunner,
+    ) -> None:  # fmt: skip
+        self._store, self._antenna, self._control, self._mover = store, antenna, control, mover
+        self._stopper, self._reader, self._watches, self._monitor = stopper, reader, watches, monitor
+        self._rewire, self._raw_console, self._applying, self._pursuits = rewire, raw_console, applying, pursuits
+        self._motors = MotorPower(store, antenna, control, mover, stopper, reader, self._free_wire)
+        self._search = SearchControl(store, antenna, reader, settings)
+        self._features = FeatureHandler(store, antenna, control, reader, self._motors, self._search, self._free_wire)
+
+    def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
+        """Serve one request; its future is resolved now, or at arrival for a motion.
+
+        `stops_seen` is how often STOP had been called when it was asked for.
+        """
+        match request:
+            case ask.Goto() | ask.Follow() | ask.Jog():
+                self._move(request, future)
+                return
+            case ask.Pursue():
+                future.set_result(self._pursuits.take_on(request))
+                return
+            case ask.EndPursuit(by):
+                self._pursuits.end(by)
+            case ask.TurnSkew():
+                self._turn_skew(request, future)
+                return
+            case ask.Home():
+                self._home(request)
+            case ask.ReleaseMotors(holder):
+                self._make_way(holder)
+                self._motors.release(holder, stops_seen)
+                self._pursuits.by_hand(holder)
+            case ask.Engage(holder):
+                self._motors.engage(holder)
+            case ask.Stow(holder):
+                self._motors.stow(holder, future)
+                return
+            case ask.SetSpeed(axis, speed_deg_s, holder):
+                self._make_way(holder)
+                future.set_result(self._motors.set_speed(axis, speed_deg_s, holder))
+                return
+            case ask.Read(features):
+                future.set_result(self._features.read(features))
+                return
+            case ask.Set():
+                future.set_result(self._features.set(request))
+                return
+            case ask.ApplySettings(settings):
+                self._applying.apply(settings)
+            case ask.Raw():
+                self._raw_console.raw(request, future)
+                return
+            case ask.ListCommands(holder):
+                future.set_result(self._raw_console.list_commands(holder))
+                return
+            case ask.ProbePort(bauds):
+                self._raw_console.line.make_way()
+                future.set_result(self._rewire.probe(bauds))
+                return
+            case ask.Connect(port, baud):
+                self._raw_console.line.make_way()
+                self._rewire.connect(port, baud)
+            case ask.SetSearch(holder, disabled):
+                self._search.refuse(disabled=disabled)
+                self._ready(holder)
+                future.set_result(self._search.set(disabled=disabled))
+                return
+            case ask.Stop(by):
+                self._stopper.call(by)
+                self._stopper.take_calls()
+            case ask.Release():
+                self._stopper.release(stops_seen)
+            case ask.AcquireLease(holder, take_over):
+                self._control.take(holder, take_over=take_over)
+                if holder == CONSOLE:
+                    self._raw_console.begin(holder)
+            case ask.ReleaseLease(holder):
+                self._control.give_back(holder)
+            case ask.Watch():
+                self._watches.add(request)
+            case ask.Unwatch(watcher):
+                self._watches.remove(watcher)
+            case ask.AcknowledgeFault(by):
+                self._acknowledge(by)
+            case ask.AcceptLimits():
+                self._store.change(motion_refused_because=None)
+        future.set_result(None)
+
+    def ending(self) -> tuple[End, str, BirdcageError]:
+        """Return how motions end when the station does."""
+        return End.STOPPED, "the station ends", Stopped("The station has ended.", reason="closing")
+
+    def _ready(self, holder: str) -> None:
+        self._control.admit(holder)
+        self._free_wire()
+
+    def _make_way(self, holder: str) -> None:
+        """End what prints on, unless `holder` will be refused anyway."""
+        if self._control.latched or self._store.state.holder in (None, holder):
+            self._raw_console.line.make_way()
+
+    def _free_wire(self) -> None:
+        link = self._store.state.link
+        if link.state is not LinkPhase.UP:
+            raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
+        self._watches.end_excursion()
+
+    def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
+        self._antenna.gate.require_direction()
+        if isinstance(request, ask.Jog):
+            az_deg, el_deg = self._jogged(request)
+        else:
+            az_deg, el_deg = request.az_deg, request.el_deg
+        clamp = isinstance(request, ask.Goto) and request.clamp
+        follow = isinstance(request, ask.Follow)
+        self._control.refuse(request.holder, az_deg, el_deg)
+        previous = self._take_for(request, lambda: self._judge(az_deg, el_deg, clamp=clamp))
+        miss_deg = self._antenna.miss_deg(az_deg, el_deg)
+        job = Job(az_deg, el_deg, request.holder, future, follow=follow, miss_deg=miss_deg)
+        self._pursuits.make_way(request.holder)
+        try:
+            self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
+            self._pursuits.by_hand(request.holder)
+        except MotionRefused:
+            self._control.hand_back(request.holder, previous)
+            raise
+
+    def _take_for(
+        self, request: ask.Goto | ask.Follow | ask.Jog | ask.TurnSkew, judge: Callable[[], None]
+    ) -> str | None:
+        """Take control for a motion once it is judged; return who had it before. What is refused takes nothing."""
+        take_over = not isinstance(request, ask.Follow) and request.take_over
+        previous = self._store.state.holder
+        self._control.may_take(request.holder, take_over=take_over)
+        self._free_wire()
+        judge()
+        self._control.take(request.holder, take_over=take_over)
+        return previous
+
+    def _judge(self, az_deg: float, el_deg: float, *, clamp: bool) -> None:
+        """Raise MotionRefused for what the last reading forbids: the mover judges the way, by one of its own.
+
+        A pursuit that has changed the dish's speeds ends before that, so the whole way is judged for it here.
+        """
+        gate = self._antenna.gate
+        if self._pursuits.speeds.are_changed:
+            self._antenna.aim(az_deg, el_deg, leapfrog=False, clamp=clamp)
+        elif gate.position is not None:
+            gate.check_limits(*self._antenna.to_dish(az_deg, el_deg, clamp=clamp))
+
+    def _turn_skew(self, request: ask.TurnSkew, future: Future[object]) -> None:
+        self._antenna.gate.check_skew(request.deg)
+        self._control.refuse(request.holder)
+        previous = self._take_for(request, lambda: self._mover.check_skew(request.deg))
+        here = self._store.state.position
+        az_deg, el_deg = (here.az_deg, here.el_deg) if here is not None else (0.0, 0.0)
+        try:
+            self._mover.turn_skew(Job(az_deg, el_deg, request.holder, future, skew_deg=request.deg))
+            self._pursuits.by_hand(request.holder)
+        except MotionRefused:
+            self._control.hand_back(request.holder, previous)
+            raise
+
+    def _jogged(self, jog: ask.Jog) -> tuple[float, float]:
+        base = self._mover.target
+        if base is None:
+            position = self._store.state.position if self._store.state.position_lost is None else None
+            if position is None:
+                self._control.refuse(jog.holder)
+                if self._store.state.awaits_first_move:
+                    raise MotionRefused(
+                        "This dish does not tell where it points, so no step is sent. Send it to an azimuth and an "
+                        "elevation first. Nothing was sent.", reason="untold",
+                    )  # fmt: skip
+                raise MotionRefused(
+                    "The position is unknown, so no step is sent. Wait until it is read.", reason="unread"
+                )
+            base = position.az_deg, position.el_deg
+        return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
+
+    def _home(self, request: ask.Home) -> None:
+        rotator = self._antenna.rotator
+        if rotator.facts.no_homing:
+            raise MotionRefused(f"{rotator.facts.no_homing} Nothing was sent.", reason="unsupported")
+        axes = (rotator.facts.azimuth.index, rotator.facts.elevation.index)
+        if not set(request.axes) <= set(axes):
+            raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")
+        self._ready(request.holder)
+        self._pursuits.by_hand(request.holder)
+        self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
+        self._antenna.motion = None
+        self._store.change(homed=None, position=None, position_lost="homing")
+        self._stopper.homing = True
+        try:
+            for motor in request.axes or axes:
+                if self._control.latched:
+                    raise Stopped("STOP came while the dish homed: no other axis is homed.")
+                self._mover.activity(Activity.HOMING, rotator.facts.axis(motor).name)
+                self._antenna.maintenance.home(motor)
+        finally:
+            self._stopper.homing = False
+            self._mover.activity(Activity.UNKNOWN, "")
+            self._stopper.resume()
+        if self._reader.position() is not None and not request.axes:
+            self._antenna.gate.count_cable()
+            self._reader.position()
+        self._mover.activity(Activity.IDLE, "")
+
+    def _acknowledge(self, by: str) -> None:
+        fault = self._store.state.fault
+        if fault is not None:
+            self._store.change(fault=None)
+            self._store.tell(FaultAcknowledged(*self._store.stamp(), fault, by))

@@ -1,0 +1,85 @@
+"""Switches the firmware's own TV search: by a setting, never without a copy of them first, or by ending it now."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, ConfigError, NoReply, StoreError
+from birdcage.base.paths import write_aside_and_rename
+from birdcage.rotator.facts import SearchSwitch as Switch
+from birdcage.rotator.feature import SETTINGS, TV_SEARCH
+from birdcage.station.applying import refuse_while_moving
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.settings import StationSettings
+from birdcage.station.state import Activity, TvSearch
+from birdcage.station.state_store import StateStore
+
+
+class SearchControl:
+    """What the switch does depends on the dish: see `Facts.search_switch`."""
+
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, settings: StationSettings
+    ) -> None:
+        self._store, self._antenna, self._reader, self._folder = store, antenna, reader, settings.backup_folder
+
+    def refuse(self, *, disabled: bool) -> None:
+        """Raise CommandRefused (`unsupported`) where this can't be done, BirdcageError (`moving`) while it may not.
+
+        A search that is to be ended at once may well move the dish; a motion of ours must not be aborted by it.
+        """
+        facts = self._antenna.rotator.facts
+        why = {
+            Switch.NOT_KNOWN: f"The {facts.name} has no known command that ends its TV search.",
+            Switch.NEVER_SEARCHES: f"The {facts.name} has no TV search.",
+        }.get(facts.search_switch)
+        if self._until_power_up and not disabled:
+            why = f"The {facts.name} has no command that begins its TV search: it begins by itself at power-up."
+        if why is not None:
+            raise CommandRefused(f"{why} Nothing was sent.", reason="unsupported")
+        if self._until_power_up and self._store.state.activity is not Activity.MOVING_UNASKED:
+            refuse_while_moving(self._store, self._antenna, "The search is not ended")
+
+    @property
+    def _until_power_up(self) -> bool:
+        return self._antenna.rotator.facts.search_switch is Switch.UNTIL_POWER_UP
+
+    def set(self, *, disabled: bool) -> Path | None:
+        """Switch the search off, or back on; return the path of the backup, None if no setting was written."""
+        rotator = self._antenna.rotator
+        if self._until_power_up:
+            ended = self._antenna.maintenance.end_search()
+            rotator.make_ready()
+            self._store.change(search=TvSearch.OFF_UNTIL_POWER_UP)
+            self._reader.position()
+            self._reader.note(ended)
+            return None
+        backup = self._back_up(self._settings_table())
+        written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
+        self._reader.survey()
+        self._reader.note(written)
+        if self._store.state.search is not TvSearch.OFF:
+            # Written, but the search process that the dish started at power-up goes on until the next one.
+            self._store.change(search=TvSearch.UNKNOWN)
+        return backup
+
+    def _settings_table(self) -> str:
+        """Read all settings. NoReply (`garbage`) where none were shown: then nothing is written."""
+        table = self._antenna.rotator.read([SETTINGS]).get(SETTINGS)
+        if table is None:
+            raise NoReply("The dish did not show its settings, so there is no backup. Nothing was written.")
+        return str(table.value)
+
+    def _back_up(self, table: str) -> Path:
+        if self._folder is None:
+            raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
+        stamp = self._store.clock.utc().strftime("%Y%m%dT%H%M%SZ")
+        facts = self._antenna.rotator.facts
+        path = self._folder / f"{facts.settings_name}-{facts.firmware}-{stamp}.txt"
+        demo = "# DEMO\n" if self._store.state.demo else ""
+        try:
+            write_aside_and_rename(path, (demo + table + "\n").encode())
+        except OSError as error:
+            raise StoreError(f"The backup {path} can't be written ({error}): nothing was changed.") from error
+        return path

@@ -1,0 +1,93 @@
+"""Reads the dish's own tuner within a pursuit, while the dish stands still on its target."""
+
+from __future__ import annotations
+
+import math
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.state_store import StateStore
+from birdcage.station.watches import RSSI_PERIOD_S, RSSI_READS, Watches
+from birdcage.tracking.steps import Hear
+
+TAKES_S = RSSI_READS * RSSI_PERIOD_S + 2.0
+"""An excursion with its changes of menu, on a slow wire; so long at least the dish must have nothing to do."""
+
+
+class SignalExcursion:
+    """One excursion at a time: `carry_out` until it is over."""
+
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, watches: Watches) -> None:
+        self._store, self._antenna, self._reader, self._watches = store, antenna, reader, watches
+        self._refused = False
+        """Whether the tuner has refused to be read since the pursuit began."""
+        self._begun_at = -math.inf
+        self.under_way = False
+
+    def forget(self) -> None:
+        """A pursuit begins, or goes on."""
+        self._refused = self.under_way = False
+
+    @property
+    def due(self) -> float:
+        """When to read next, in monotonic seconds."""
+        excursion = self._watches.excursion
+        return -math.inf if excursion is None or not self.under_way else excursion.next_at
+
+    def _begin(self, step: Hear, now_s: float) -> bool:
+        """Return whether the tuner is to be read now: the dish is seen at rest, and stays so for long enough."""
+        store, clock, now = self._store, self._store.clock, self._store.clock.monotonic()
+        dish, motion = store.state.dish, self._antenna.motion
+        if dish is None or not dish.has_rssi or self._refused or not self._reader.may_leave:
+            return False
+        if self._reader.rules.feed.signal != "tuner":
+            return False  # it is not the tuner that hears this feed
+        if (step.until_s - now_s) / clock.rate < TAKES_S or now < self._begun_at + step.every_s:
+            return False
+        here = store.state.position
+        moves = motion is not None and (here is None or here.told_at < motion.eta(clock.rate))
+        if moves or not self._antenna.rest.rests or not self._watches.may_begin(now):
+            return False
+        self._begun_at, self.under_way = now, True
+        self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
+        return True
+
+    def carry_out(self, step: Hear, now_s: float, *, at_once: bool) -> bool:
+        """Begin an excursion if it is time for one, read once, and return whether it is over, if there was one.
+
+        `at_once`: read no more, and come back. NoReply if the dish does not answer.
+        """
+        if not self.under_way and not self._begin(step, now_s):
+            return True
+        if at_once:
+            self.end()
+        else:
+            self._read()
+        return not self.under_way
+
+    def _read(self) -> None:
+        """Read once; the last time, come back to the motor menu. NoReply where the dish does not answer."""
+        try:
+            self._reader.signal()
+        except CommandRefused as refused:
+            if refused.trouble is not None:
+                raise
+            self._refused = True
+            self.end()
+            return
+        except NoReply:
+            self.under_way = False
+            self._watches.end_excursion()
+            raise
+        self._watches.rssi_was_read(self._store.clock.monotonic(), self._reader.signal_not_before)
+        if self._watches.excursion is None:
+            self.end()
+
+    def end(self) -> None:
+        """Come back to the motor menu, if it was left."""
+        self._watches.end_excursion()
+        if self.under_way:
+            self.under_way = False
+            self._antenna.rotator.make_ready()
+            self._reader.elsewhere = False

@@ -1,0 +1,83 @@
+"""Where the station writes what it knows, and from where everybody reads it."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from datetime import datetime
+from types import MappingProxyType
+
+from birdcage.base.clock import Clock
+from birdcage.rotator.feature import Reading, Value
+from birdcage.station.events import Event, ReadingRead
+from birdcage.station.state import StationState
+
+Listener = Callable[[Event], None]
+
+
+class StateStore:
+    """The present `StationState`, replaced as a whole, and the listeners to events."""
+
+    def __init__(self, clock: Clock, state: StationState) -> None:
+        self.clock = clock
+        self.state = state
+        self._lock = threading.Lock()
+        self._listeners: tuple[Listener, ...] = ()
+
+    def stamp(self) -> tuple[float, datetime]:
+        """Return the monotonic and UTC time of an event that happens now."""
+        return self.clock.monotonic(), self.clock.utc()
+
+    def change(self, **fields: object) -> None:
+        """Replace fields of the state. Any thread."""
+        with self._lock:
+            self.state = replace(self.state, **fields)  # type: ignore[arg-type]
+
+    def warn(self, subject: str, sentence: str) -> None:
+        """Set or drop one of the warnings. Any thread."""
+        with self._lock:
+            warnings = {name: words for name, words in self.state.warnings.items() if name != subject}
+            if sentence:
+                warnings[subject] = sentence
+            self.state = replace(self.state, warnings=MappingProxyType(warnings))
+
+    def own_signal(self, source: str, holder: str) -> None:
+        """Note who owns a signal source; empty: it is free. Any thread."""
+        with self._lock:
+            owners = {name: owner for name, owner in self.state.signal_owners.items() if name != source}
+            if holder:
+                owners[source] = holder
+            self.state = replace(self.state, signal_owners=MappingProxyType(owners))
+
+    def subscribe(self, listener: Listener) -> Callable[[], None]:
+        """Tell `listener` every event, on the station's thread. Returns what ends it."""
+        with self._lock:
+            self._listeners += (listener,)
+
+        return lambda: self._drop(listener)
+
+    def _drop(self, listener: Listener) -> None:
+        with self._lock:
+            self._listeners = tuple(other for other in self._listeners if other is not listener)
+
+    def tell(self, event: Event) -> None:
+        """Tell all listeners. What one raises is raised; it is not told anything more."""
+        for listener in self._listeners:
+            try:
+                listener(event)
+            except BaseException:
+                self._drop(listener)
+                raise
+
+    def read(self, feature: str, value: Value, unit: str = "", stamp: tuple[float, datetime] | None = None) -> None:
+        """Note a value that the dish has just told; `stamp` is when it was measured, if that was not now."""
+        at, utc = stamp or self.stamp()
+        readings = {**self.state.readings, feature: Reading(value, unit, at, utc)}
+        self.change(readings=MappingProxyType(readings))
+        self.tell(ReadingRead(at, utc, feature, value, unit))
+
+    def forget_readings(self, prefix: str = "") -> None:
+        """Drop the values whose name begins so, all by default: the dish may have changed."""
+        kept = {name: value for name, value in self.state.readings.items() if not name.startswith(prefix)}
+        self.change(readings=MappingProxyType(kept))
