@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.paths import Paths
-from birdcage.pursuit.hooks import HookLine
+from birdcage.pursuit.pass_listener import PassRemark
 from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit_state import Phase
 
@@ -31,14 +31,14 @@ def three_passes():
     story.rssi(6049.5, 512.0)
     for second in range(100):
         story.look(6000.0 + second, 1.5 if second == 50 else 0.02, 4.0 if second == 50 else 0.01)
-    log.hook_said(HookLine(at(6050), "tca", "METEOR-M2 4", "recording"))
+    log.remark(PassRemark("METEOR-M2 4", at(6050), "tca: recording"))
     story.phase(6400, Phase.OVER, "Ended by operator.")
     story.demo = False
     story.pursuit = replace(story.pursuit, number=3, plan=plan("ISS (ZARYA)", start=12000.0))
     story.phase(12000, Phase.FOLLOWING)
     assert log.flush()
     yield paths
-    log.close()
+    log.close(2.0)
 
 
 def test_an_empty_log_says_so_and_makes_no_file(run, as_json):

@@ -143,7 +143,7 @@ def paths(tmp_path):
 def log(paths):
     log = PassLog(paths.journal, paths.passes, site=lambda: "Home, 52.0 N 4.4 E")
     yield log
-    log.close()
+    log.close(2.0)
 
 
 @pytest.fixture

@@ -266,11 +266,11 @@ import sys
 from datetime import timedelta
 from birdcage.base.clock import RealClock
 from birdcage.base.config.tracking_sections import HookSettings
-from birdcage.pursuit.hooks import Hooks
+from birdcage.pursuit.hooks import PassHooks
 from birdcage.pursuit.pass_facts import PassFacts
 import queue
 clock, lines = RealClock(), queue.Queue()
-hooks = Hooks(HookSettings(at_reach_start={python(STUBBORN)!r}), lambda line: lines.put(line.text), clock, grace_s=0.3)
+hooks = PassHooks(HookSettings(at_reach_start={python(STUBBORN)!r}), lambda line: lines.put(line.text), clock, grace_s=0.3)
 hooks.plan(PassFacts("X", clock.utc(), clock.utc() + timedelta(seconds=60)))
 hooks.step()
 while lines.get(timeout=60) != "deaf":

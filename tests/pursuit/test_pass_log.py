@@ -5,16 +5,16 @@ from __future__ import annotations
 import sqlite3
 import subprocess
 import sys
-import threading
 from dataclasses import replace
 
 import pytest
-from birdcage.base.errors import StoreError
+from birdcage.base.config import Settings
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
-from birdcage.pursuit.hooks import HookLine
 from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of, worst_moments
-from birdcage.pursuit.pass_log import PassLog
+from birdcage.pursuit.pass_listener import LivePass, PassRemark
+from birdcage.pursuit.pass_record import stamp
+from birdcage.sky.frozen import frozen
 from birdcage.station.pursuit_state import Phase
 
 from . import pass_events
@@ -181,7 +181,7 @@ def test_ending_the_program_in_mid_pass_says_so(story, log, paths):
     story.phase(0, Phase.FOLLOWING)
     story.look(0.0)
     story.look(5.0)
-    log.close()
+    log.close(2.0)
     (record,) = list_passes(paths.journal)
     assert (record.outcome, record.ended) == ("The program was ended.", at(5))
 
@@ -197,7 +197,7 @@ def test_what_does_not_pass_is_kept_seldom(story, log, paths):
 
 def test_what_hooks_say_finds_its_pass_before_during_and_after(story, log, paths):
     def said(seconds, text, name="ISS (ZARYA)"):
-        log.hook_said(HookLine(at(seconds), "tca", name, text))
+        log.remark(PassRemark(name, at(seconds), f"tca: {text}"))
 
     said(-10, "early")
     said(0, "of another", "METEOR")
@@ -215,24 +215,17 @@ def test_what_hooks_say_finds_its_pass_before_during_and_after(story, log, paths
     assert [each.text for each in read_remarks(paths.journal, 2)] == ["tca: of the next", "tca: in the next"]
 
 
-def test_the_epoch_of_the_elements_is_asked_off_the_stations_thread(paths):
-    asked = []
-
-    def epoch_of(number):
-        asked.append((number, threading.current_thread() is threading.main_thread()))
-        if number == 1:
-            raise StoreError("the catalogue is damaged")
-        return at(-86400)
-
-    log = PassLog(paths.journal, paths.passes, epoch_of=epoch_of)
-    story = Story(log)
+def test_the_epoch_of_the_elements_is_that_by_which_the_pass_is_followed(story, log, paths):
+    elements = next(iter(frozen()))
+    log.begins(LivePass(story.pursuit, Settings(), None, elements))
+    story.pursuit = replace(story.pursuit, plan=plan(elements.name, elements.norad_id))
     story.whole_pass()
-    story.pursuit = replace(story.pursuit, number=2, plan=plan("X", 1))
+    story.pursuit = replace(story.pursuit, number=2, plan=plan("ANOTHER", 1))
     story.whole_pass()
-    log.close()
-    assert [each.head.elements_epoch for each in list_passes(paths.journal)] == [at(-86400), None]
-    assert asked == [(25544, False), (1, False)]
-    assert "# elements of: 2026-11-20T12:00:00.000Z" in comments_of(min(paths.passes.iterdir()))
+    assert log.flush()
+    first, second = (each.head.elements_epoch for each in list_passes(paths.journal))
+    assert (stamp(first), second) == (stamp(elements.epoch), None)
+    assert f"# elements of: {stamp(elements.epoch)}" in comments_of(min(paths.passes.iterdir()))
 
 
 def test_a_name_out_of_a_file_of_elements_makes_no_line_and_no_path_of_its_own(story, log, paths):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 from birdcage.base.paths import Paths
 from birdcage.pursuit.pass_book import list_passes, read_samples
-from birdcage.pursuit.pass_log import PassLog, keep_passes
+from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit_state import Phase
 
 from tests.station.pursuit_bench import PARK, at, g2, plan_of
@@ -22,9 +22,9 @@ def paths(tmp_path):
 def bench(paths):
     bench = g2()
     bench.log = PassLog(paths.journal, paths.passes)
-    bench.end = keep_passes(bench.station, bench.log)
+    bench.end = bench.station.subscribe(lambda event: bench.log.hear(event, demo=bench.state.demo))
     yield bench
-    bench.log.close()
+    bench.log.close(2.0)
 
 
 def test_a_pass_from_end_to_end(bench, paths):

@@ -15,8 +15,11 @@ from birdcage.base.config.sections import MotionSettings
 from birdcage.base.config.tracking_sections import HookSettings, RadioSettings
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.pass_facts import facts_of
+from birdcage.pursuit.pass_listener import PassListener
 from birdcage.pursuit.pass_log import PassLog
-from birdcage.pursuit.pass_services import facts_of, tuning_of
+from birdcage.pursuit.pass_tuner import tuning_of
+from birdcage.station.events import Followed
 from birdcage.station.pursuit_state import Phase
 
 from .pass_events import wait_for
@@ -154,3 +157,94 @@ def test_where_the_receiver_hears_the_feed_its_level_is_logged_of_what_it_is_not
     bench.step(10.0)
     assert len(told) == after
     assert bench.station.state.signal_owners == {}
+
+
+class Push(PassListener):
+    """A listener of the tests: keeps what it is told, and can be made to fail."""
+
+    label = "web push"
+
+    def __init__(self, fails=()):
+        self.told, self.samples, self.remarks, self.closed = [], [], [], 0
+        self.fails = fails
+
+    def _note(self, word, told):
+        told.append(word)
+        if word in self.fails:
+            raise RuntimeError(f"no network at {word}")
+
+    def begins(self, live):
+        self._note("begins", self.told)
+        assert (live.plan.aim.name, live.observer.name) == (STATION, "here")
+        assert live.elements.name == STATION
+
+    def changes(self, live):
+        self._note(live.pursuit.phase, self.told)
+
+    def ends(self):
+        self._note("ends", self.told)
+
+    def hear(self, event, *, demo):
+        if isinstance(event, Followed):
+            self.samples.append((event.sample.error_deg, demo))
+
+    def remark(self, remark):
+        self._note(remark.text, self.remarks)
+
+    def step(self):
+        self._note("step", [])
+        return float("inf")
+
+    def close(self):
+        self.closed += 1
+
+
+def whole_pass(bench):
+    follow(bench)
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    bench.step(5.0)
+    bench.desk.leave()
+    bench.do(3.0)
+
+
+def test_anything_can_go_along_with_a_pass(make):
+    settings = Settings(motion=SHORT, hooks=HookSettings(at_reach_start=f"{sys.executable} -c 'print(73)'"))
+    bench, push = make(settings=settings), Push()
+    bench.desk.add_listener(push)
+    whole_pass(bench)
+    assert (push.told[0], push.told[-1]) == ("begins", "ends")
+    assert push.told.count("begins") == push.told.count("ends") == 1
+    assert Phase.FOLLOWING in push.told
+    assert len(push.samples) >= 5
+    assert all(demo is True and error < 5.0 for error, demo in push.samples)
+    assert any(text.startswith("reach_start: ") and text.endswith("started.") for text in push.remarks)
+    bench.desk.close()
+    bench.desk.close()
+    assert push.closed == 1
+
+
+def test_one_that_is_added_in_mid_pass_is_told_of_it(bench):
+    follow(bench)
+    bench.until(lambda: bench.phase() is Phase.FOLLOWING)
+    push = Push()
+    bench.desk.add_listener(push)
+    bench.do()
+    assert push.told[0] == "begins"
+
+
+@pytest.mark.parametrize("where", ["begins", Phase.FOLLOWING, "ends", "step"])
+def test_one_that_fails_is_named_and_ends_nothing(make, where):
+    bench, push, other = make(), Push(fails=(where,)), Push()
+    bench.desk.add_listener(push)
+    bench.desk.add_listener(other)
+    whole_pass(bench)
+    assert bench.desk.crash is None
+    assert bench.desk.now.problem == f"The web push stopped: RuntimeError('no network at {where}')."
+    if where != "step":
+        assert push.told[-1] == where
+    assert other.told[-1] == "ends"
+    assert len(other.samples) >= 5
+    bench.desk.close()
+    assert (push.closed, other.closed) == (1, 1)
+    with closing(sqlite3.connect(bench.paths.journal)) as journal:
+        assert journal.execute("SELECT count(*) FROM pass_sample").fetchone()[0] >= 5

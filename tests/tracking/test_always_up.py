@@ -7,7 +7,7 @@ from datetime import datetime
 
 import pytest
 from birdcage.pursuit.follower import told_reach_end
-from birdcage.pursuit.pass_services import facts_of
+from birdcage.pursuit.pass_facts import facts_of
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.passes.search import search

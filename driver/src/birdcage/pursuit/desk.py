@@ -22,6 +22,7 @@ from birdcage.station.events import Event, Followed, LinkChanged, PursuitChanged
 from birdcage.station.station import Station
 
 if TYPE_CHECKING:
+    from birdcage.pursuit.pass_listener import PassListener
     from birdcage.sky.targets import Target
 
 
@@ -152,6 +153,10 @@ class PursuitDesk:
     def apply(self, settings: Settings, observer: Observer | None) -> None:
         """Use other settings and another place from now on."""
         self._orders.put(partial(self._work.apply, settings, observer))
+
+    def add_listener(self, listener: PassListener) -> None:
+        """Let something go along with every pass from now on, beside the log, the hooks and the receiver."""
+        self._orders.put(partial(self._work.services.add, listener))
 
     # --- the desk's own thread
 

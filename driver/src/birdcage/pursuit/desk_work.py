@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import replace
 from datetime import datetime
@@ -17,6 +18,8 @@ from birdcage.pursuit.circumstances import Circumstances
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
 from birdcage.pursuit.now import NO_PLACE, DeskNow, Mode, Resumable, TargetMatch
+from birdcage.pursuit.pass_listener import LivePass
+from birdcage.pursuit.pass_services import PassServices
 from birdcage.pursuit.plan_keeper import PlanKeeper
 from birdcage.pursuit.pointer import BelowWords, Pointer
 from birdcage.pursuit.resume_file import ResumeFile
@@ -30,7 +33,6 @@ from birdcage.station.station import Station
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
-    from birdcage.pursuit.pass_services import PassServices
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
 
@@ -48,7 +50,10 @@ class DeskWork:
 
     def __init__(self, station: Station, clock: Clock, setup: DeskSetup, post: Post, *, threads: bool) -> None:
         self._threads = threads
-        self._beside: PassServices | None = None
+        self.services = PassServices(station, lambda: post(self.look_again))
+        """What goes along with every pass."""
+        self._radio: Callable[[], RadioNow] = RadioNow
+        self._begun = False
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
         self._sheet = PlanKeeper(station, clock, setup, self._follower, post, self.look_again, threads=threads)
@@ -207,8 +212,9 @@ class DeskWork:
     def step(self) -> float:
         """Do what there is to do; return how many seconds it may rest then."""
         now, monotonic = self._clock.utc(), self._clock.monotonic()
-        if self._beside is None:
-            self._beside = self._begin(now)
+        if not self._begun:
+            self._begun = True
+            self._begin(now)
         if monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
             if self._sheet.read_catalogue():
@@ -225,7 +231,7 @@ class DeskWork:
             self._sheet.hand_on()
             self._sheet.refine(at)
         rest_s = LOOK_S if self._sheet.all or self._pointer.text or self._auto.on or self._keeper.may_resume else REST_S
-        return min(rest_s, max(self._beside.step() - monotonic, 0.0))
+        return min(rest_s, max(self.services.step() - monotonic, 0.0))
 
     def told(self) -> DeskNow | None:
         """Return what there is to be shown; None while that is the same."""
@@ -241,7 +247,7 @@ class DeskWork:
             located=self._pointer.look(self._sheet.observer, now, self._sheet.settings.tracking.refraction),
             schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
             resumable=self._resumable(),
-            radio=RadioNow() if self._beside is None else self._beside.radio,
+            radio=self._radio(),
         )  # fmt: skip
         if choice is not None:
             shown = replace(
@@ -254,24 +260,29 @@ class DeskWork:
     @property
     def owes(self) -> bool:
         """Whether `end` has something to leave or to end. Any thread."""
-        beside = self._beside
-        return self._keeper.keeps or (beside is not None and beside.busy)
+        return self._keeper.keeps or self.services.busy
 
     def end(self) -> None:
         """Leave what there is to be remembered, and end what runs beside."""
         self._keeper.end()
-        if self._beside is not None:
-            self._beside.close()
-            self._beside = None
+        self.services.close()
 
-    def _begin(self, now: datetime) -> PassServices:
-        from birdcage.pursuit.pass_services import PassServices
+    def _begin(self, now: datetime) -> None:
+        """Look for what was left unfinished, and let the log, the hooks and the receiver go along from now on."""
+        from birdcage.pursuit.hooks import HookListener
+        from birdcage.pursuit.pass_log import PassLog
+        from birdcage.pursuit.pass_tuner import PassTuner
 
         self._keeper.begin(now)
-        return PassServices(
-            self._station, self._clock, self._setup.paths, self._sheet.settings, threads=self._threads,
+        paths, settings, services = self._setup.paths, self._sheet.settings, self.services
+        tuner = PassTuner(
+            self._station, self._clock, settings, services.signal, threads=self._threads,
             changed=lambda: self._post(self.look_again), receiver=self._setup.receiver,
         )  # fmt: skip
+        self._radio = lambda: tuner.now
+        services.add(PassLog(paths.journal, paths.passes, site=self._sheet.site))
+        services.add(HookListener(settings.hooks, services.remark, self._clock))
+        services.add(tuner)
 
     def _why(self) -> str:
         """Return the one thing that a person should know."""
@@ -283,7 +294,7 @@ class DeskWork:
             or ("" if choice is None else choice.problem)
             or self._sheet.finder.problem
             or self._keeper.problem
-            or ("" if self._beside is None else self._beside.problem)
+            or self.services.problem
         )
 
     def _below_words(self, choice: ChosenTarget) -> str:
@@ -344,9 +355,10 @@ class DeskWork:
                 self._stopped.by_stop(ended, pursuit.plan)
             self._after(ended, now)
         live, followed = self._follower.live, self._sheet.followed
-        if self._beside is not None:
-            elements = None if followed is None else followed.elements
-            self._beside.follow(live, self._sheet.settings, self._sheet.observer, elements)
+        elements = None if followed is None else followed.elements
+        self.services.follow(
+            None if live is None else LivePass(live, self._sheet.settings, self._sheet.observer, elements)
+        )
         self._keeper.note(live, followed, now, monotonic)
         self._changed |= self._keeper.forget_old(now)
         tracking = self._sheet.settings.tracking

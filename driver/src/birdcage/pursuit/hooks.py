@@ -11,11 +11,17 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import HookSettings
+from birdcage.pursuit.follower import told_reach_end
 from birdcage.pursuit.hook_run import GRACE_S, HookRun
-from birdcage.pursuit.pass_facts import Event, PassFacts
+from birdcage.pursuit.pass_facts import Event, PassFacts, facts_of
+from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
+
+if TYPE_CHECKING:
+    from birdcage.tracking.plan import Plan
 
 LATE_S = 30.0
 """A TCA that was missed by more is left out: its moment is over."""
@@ -131,3 +137,55 @@ class PassHooks:
 
         run = HookRun(event, command, facts, say, deadline_s=settings.deadline_s, grace_s=self._grace_s)
         self._runs.append(run)
+
+
+class HookListener(PassListener):
+    """Runs the user's hooks in every pass, and tells what they say as remarks."""
+
+    label = "hooks of [hooks]"
+
+    def __init__(self, settings: HookSettings, tell: Callable[[PassRemark], None], clock: Clock) -> None:
+        """`tell` is called on any thread: it appends to a queue and returns."""
+        self._settings, self._tell, self._clock = settings, tell, clock
+        self._hooks = PassHooks(settings, self._said, clock)
+        self._plan: Plan | None = None
+
+    def begins(self, live: LivePass) -> None:
+        """Take over the settings of now: within a pass, what was begun is ended as it was begun."""
+        if live.settings.hooks != self._settings:
+            self._hooks.close(0.0)
+            self._settings = live.settings.hooks
+            self._hooks = PassHooks(self._settings, self._said, self._clock)
+        self.changes(live)
+
+    def changes(self, live: LivePass) -> None:
+        """Run them by the newest plan."""
+        if live.plan is not self._plan:
+            self._plan = live.plan
+            facts = facts_of(live.plan, live.observer)
+            if facts is not None:
+                self._hooks.plan(facts)
+
+    def ends(self) -> None:
+        """Run the last one of a pass that was given up."""
+        plan, self._plan = self._plan, None
+        end = None if plan is None else told_reach_end(plan)
+        # One that came to its end keeps its last hook, which may run some time after that.
+        if end is None or self._clock.utc() < end:
+            self._hooks.plan(None)
+
+    def step(self) -> float:
+        """Start what is due."""
+        return self._hooks.step()
+
+    @property
+    def busy(self) -> bool:
+        """Whether a command still runs."""
+        return self._hooks.running
+
+    def close(self) -> None:
+        """End what still runs, without waiting: what takes longer is killed in time."""
+        self._hooks.close(0.0)
+
+    def _said(self, line: HookLine) -> None:
+        self._tell(PassRemark(line.name, line.utc, f"{line.event}: {line.text}"))

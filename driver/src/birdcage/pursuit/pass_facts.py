@@ -7,8 +7,15 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Literal
 
+from birdcage.pursuit.follower import reach_end, reach_start, told_reach_end
+
 if TYPE_CHECKING:
     from birdcage.sky.downlinks import Downlink
+    from birdcage.sky.observer import Observer
+    from birdcage.tracking.plan import Plan
+
+SAMPLES = 200
+"""Directions that are looked at for the highest one within reach."""
 
 Event = Literal["reach_start", "tca", "reach_end"]
 
@@ -80,6 +87,27 @@ class PassFacts:
     def json_line(self, event: Event) -> str:
         """Return them as one line of JSON, with null for what is not known."""
         return json.dumps(self.values(event)) + "\n"
+
+
+def facts_of(plan: Plan, observer: Observer | None) -> PassFacts | None:
+    """Return what a hook is told; None if nothing can be reached."""
+    import numpy as np
+
+    start, end = reach_start(plan), reach_end(plan)
+    if start is None or end is None:
+        return None
+    times = np.linspace(max(start.timestamp(), plan.sky.start_s), min(end.timestamp(), plan.sky.end_s), SAMPLES)
+    elevations = plan.sky.sample(times)[1]
+    top = int(np.argmax(elevations))
+    passing = plan.passing
+    return PassFacts(
+        name=plan.aim.name, reach_start=start, reach_end=told_reach_end(plan), norad_id=plan.aim.norad_id,
+        aos=None if passing is None else passing.aos,
+        tca=None if passing is None else datetime.fromtimestamp(float(times[top]), UTC),
+        los=None if passing is None else passing.los, max_el_deg=float(elevations[top]),
+        freq_hz=plan.aim.frequency_hz, downlink=plan.aim.downlink,
+        site=(observer.name or None) if observer is not None else None,
+    )  # fmt: skip
 
 
 def _told(moment: datetime | None) -> str | None:

@@ -6,18 +6,23 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.background import BackgroundWriter
-from birdcage.pursuit.hooks import HookLine
-from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassRemarked, PassTold
-from birdcage.pursuit.pass_log_work import EpochOf, PassLogWork
+from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
+from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassTold
+from birdcage.pursuit.pass_log_work import PassLogWork
 from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
 from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
 from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit
 from birdcage.station.pursuit_words import DONE
-from birdcage.station.station import Station
+
+if TYPE_CHECKING:
+    from birdcage.sky.elements import ElementSet
 
 QUEUE_SIZE = 8192
+CLOSE_S = 0.2
+"""How long the end of the program may wait for the disk."""
 FRESH_S = 3.0
 """How old a signal may be that stands beside a sample."""
 STILL_FRESH_S = 10.0
@@ -29,18 +34,18 @@ _FOLLOWS = frozenset({Phase.FOLLOWING, Phase.REWINDING})
 _DUE = frozenset({Phase.YIELDED, Phase.INTERRUPTED, Phase.OVER})
 
 
-class PassLog:
+class PassLog(PassListener):
     """`hear` is for the station's thread, all else for any; nothing waits but `flush` and `close`."""
 
-    def __init__(
-        self, journal: Path, folder: Path, *, site: Callable[[], str] = str, epoch_of: EpochOf | None = None
-    ) -> None:
+    label = "log of passes"
+
+    def __init__(self, journal: Path, folder: Path, *, site: Callable[[], str] = str) -> None:
         """Keep passes in the database `journal`, and each as CSV in `folder`.
 
-        `site`: names the place, asked at the beginning of each pass. `epoch_of`: tells the epoch of the elements by
-        which a satellite is followed, None for not known; called on the writer's thread, may raise BirdcageError.
+        `site`: names the place, asked at the beginning of each pass, on the station's thread.
         """
-        self._work = PassLogWork(journal, folder, epoch_of)
+        self._elements: ElementSet | None = None
+        self._work = PassLogWork(journal, folder, self._epoch_of)
         self._writer: BackgroundWriter[Item] = BackgroundWriter("pass log", self._work.write, size=QUEUE_SIZE)
         self._site = site
         self._latest: Pursuit | None = None
@@ -56,6 +61,19 @@ class PassLog:
     def problem(self) -> str:
         """What is not being kept, and why; empty when all is well."""
         return self._work.problem
+
+    @property
+    def busy(self) -> bool:
+        """Whether something is not on disk yet."""
+        return not self.flush(0.0)
+
+    def begins(self, live: LivePass) -> None:
+        """Note by which elements it is followed. The pass of the log begins with the station's own events."""
+        self._elements = live.elements
+
+    def changes(self, live: LivePass) -> None:
+        """The same."""
+        self._elements = live.elements
 
     def hear(self, event: Event, *, demo: bool) -> None:
         """Take an event of the station; `demo`: whether its dish is a simulated one. Returns at once."""
@@ -74,15 +92,15 @@ class PassLog:
         """Take the strength that a receiver tells, at a monotonic time; it goes before the dish's own signal."""
         self._strength = (at, value, unit)
 
-    def hook_said(self, line: HookLine) -> None:
-        """Keep what a hook said, before, during or after its pass: the sink of `Hooks`."""
-        self._writer.offer(PassRemarked(line.name, line.utc, f"{line.event}: {line.text}"))
+    def remark(self, remark: PassRemark) -> None:
+        """Keep what is said of a pass before, during or after it."""
+        self._writer.offer(remark)
 
     def flush(self, timeout_s: float = 2.0) -> bool:
         """Wait until all is on disk; False if that took too long."""
         return self._writer.flush(timeout_s)
 
-    def close(self, timeout_s: float = 2.0) -> None:
+    def close(self, timeout_s: float = CLOSE_S) -> None:
         """Write what is waiting, and end. A pass under way is closed. After the station has been closed."""
         if self._open is not None:
             self._end(self._open.started if self._last is None else self._last[1], PROGRAM_ENDED)
@@ -139,14 +157,14 @@ class PassLog:
             )
         )  # fmt: skip
 
+    def _epoch_of(self, norad_id: int) -> datetime | None:
+        """Return the epoch of the elements of the pass, as far as it is known by then. The writer's thread."""
+        elements = self._elements
+        return elements.epoch if elements is not None and elements.norad_id == norad_id else None
+
     def _signal_at(self, at: float) -> tuple[float | None, str | None]:
         still = self._open is not None and self._open.aos is None
         for told, fresh_s in ((self._strength, FRESH_S), (self._reading, STILL_FRESH_S if still else FRESH_S)):
             if told is not None and at - told[0] <= fresh_s:
                 return told[1], told[2]
         return None, None
-
-
-def keep_passes(station: Station, log: PassLog) -> Callable[[], None]:
-    """Keep every pass that a station follows; the result ends that."""
-    return station.subscribe(lambda event: log.hear(event, demo=station.state.demo))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 
+from birdcage.pursuit.pass_listener import PassRemark
 from birdcage.pursuit.pass_record import PassHead, PassSample
 
 
@@ -32,16 +33,6 @@ class PassLooked:
 
 
 @dataclass(frozen=True, slots=True)
-class PassRemarked:
-    """A line of text about a target's pass, which may have ended, or not begun."""
-
-    name: str
-    """Of the target."""
-    utc: datetime
-    text: str
-
-
-@dataclass(frozen=True, slots=True)
 class PassEnded:
     """The pass under way is over."""
 
@@ -50,4 +41,4 @@ class PassEnded:
     latency_s: float | None
 
 
-Item = PassBegan | PassTold | PassLooked | PassRemarked | PassEnded
+Item = PassBegan | PassTold | PassLooked | PassRemark | PassEnded

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
-from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassRemarked, PassTold
+from birdcage.pursuit.pass_listener import PassRemark
+from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassTold
 from birdcage.pursuit.pass_record import HEAD, SAMPLE, PassHead, stored
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ class PassStore:
         self._open_name = ""
         self._latest: dict[str, tuple[int, datetime | None]] = {}
         """The last pass of each target since this program began, and when it ended."""
-        self._early: list[PassRemarked] = []
+        self._early: list[PassRemark] = []
 
     def write(self, items: Sequence[Item]) -> None:
         """Write some items. StoreError or sqlite3.Error if that can't be; then nothing of them is written."""
@@ -87,7 +88,7 @@ class PassStore:
         for each in waiting:
             self._remark(connection, each)
 
-    def _remark(self, connection: sqlite3.Connection, item: PassRemarked) -> None:
+    def _remark(self, connection: sqlite3.Connection, item: PassRemark) -> None:
         number, ended = self._latest.get(item.name, (None, None))
         if number is None or (ended is not None and item.utc - ended > AFTERWARDS):
             self._early = [*self._early, item][-MOST_EARLY_REMARKS:]

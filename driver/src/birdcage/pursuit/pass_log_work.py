@@ -16,13 +16,11 @@ from birdcage.pursuit.pass_record import PassSample
 MOST_HELD_BACK = 5000
 """Items that wait while the disk is full or the database locked: more than an hour of a pass."""
 
-EpochOf = Callable[[int], datetime | None]
-
 
 class PassLogWork:
     """For the writer's thread alone, but `problem`. Nothing is raised: a pass goes on whether it is kept or not."""
 
-    def __init__(self, journal: Path, folder: Path, epoch_of: EpochOf | None) -> None:
+    def __init__(self, journal: Path, folder: Path, epoch_of: Callable[[int], datetime | None]) -> None:
         self._store = PassStore(journal)
         self._folder, self._epoch_of = folder, epoch_of
         self._file: PassCsv | None = None
@@ -49,11 +47,8 @@ class PassLogWork:
         """Do with an item what there is to do for the file of its pass."""
         if isinstance(item, PassBegan):
             head = item.head
-            if self._epoch_of is not None and head.norad_id is not None:
-                try:
-                    head = replace(head, elements_epoch=self._epoch_of(head.norad_id))
-                except BirdcageError as error:
-                    self._file_problem = f"The epoch of the elements is not in the log: {error}"
+            if head.norad_id is not None:
+                head = replace(head, elements_epoch=self._epoch_of(head.norad_id))
             self._close_file()
             self._lost, self._file_problem = 0, ""
             try:

@@ -50,6 +50,10 @@ class PlanKeeper:
         """Both, or the one that there is."""
         return list({id(each): each for each in (self.choice, self.followed) if each is not None}.values())
 
+    def site(self) -> str:
+        """Return the name of the place; empty for none. Any thread."""
+        return "" if self.observer is None else self.observer.name
+
     def circumstances(self) -> Circumstances | None:
         """Return what plans are made for now; None while no place is set."""
         from birdcage.station.mounting import mount_of
