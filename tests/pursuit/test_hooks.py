@@ -270,7 +270,8 @@ from birdcage.pursuit.hooks import PassHooks
 from birdcage.pursuit.pass_facts import PassFacts
 import queue
 clock, lines = RealClock(), queue.Queue()
-hooks = PassHooks(HookSettings(at_reach_start={python(STUBBORN)!r}), lambda line: lines.put(line.text), clock, grace_s=0.3)
+settings = HookSettings(at_reach_start={python(STUBBORN)!r})
+hooks = PassHooks(settings, lambda line: lines.put(line.text), clock, grace_s=0.3)
 hooks.plan(PassFacts("X", clock.utc(), clock.utc() + timedelta(seconds=60)))
 hooks.step()
 while lines.get(timeout=60) != "deaf":

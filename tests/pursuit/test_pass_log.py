@@ -225,7 +225,7 @@ def test_the_epoch_of_the_elements_is_that_by_which_the_pass_is_followed(story, 
     assert log.flush()
     first, second = (each.head.elements_epoch for each in list_passes(paths.journal))
     assert (stamp(first), second) == (stamp(elements.epoch), None)
-    assert f"# elements of: {stamp(elements.epoch)}" in comments_of(min(paths.passes.iterdir()))
+    assert f"# elements of: {stamp(elements.epoch)}" in comments_of(max(paths.passes.iterdir()))
 
 
 def test_a_name_out_of_a_file_of_elements_makes_no_line_and_no_path_of_its_own(story, log, paths):
