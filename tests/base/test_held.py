@@ -4,7 +4,7 @@ import os
 from datetime import UTC, datetime
 
 import pytest
-from birdcage.base.held import HeldFile, HeldNote
+from birdcage.base.held import HeldFile, HeldNote, HeldReason
 
 UTC_THEN = datetime(2026, 11, 22, 12, 3, 11, tzinfo=UTC)
 
@@ -27,8 +27,8 @@ def test_a_dish_without_the_file_is_free(file):
     ],
 )  # fmt: skip
 def test_who_since_when_and_why_is_read_again(file, by, who):
-    file.write(HeldNote(by, UTC_THEN, "stop", "/dev/ttyUSB0"))
-    assert file.read() == HeldNote(who, UTC_THEN, "stop", "/dev/ttyUSB0")
+    file.write(HeldNote(by, UTC_THEN, HeldReason.STOP, "/dev/ttyUSB0"))
+    assert file.read() == HeldNote(who, UTC_THEN, HeldReason.STOP, "/dev/ttyUSB0")
     assert file.read().sentence == f"HELD by {who} since 2026-11-22 12:03:11Z."
     file.remove()
     assert file.read() is None
@@ -60,9 +60,10 @@ def test_what_is_no_file_holds_the_dish_and_is_not_waited_for(file):
 
 
 def test_names_reach_no_terminal_with_control_characters(file):
-    file.write(HeldNote("Gpred\x1b]0;owned\x07ict", UTC_THEN, "st\x9bop", "/dev/tty\nUSB0"))
+    note = HeldNote("Gpred\x1b]0;owned\x07ict", UTC_THEN, HeldReason.OTHER, "/dev/tty\nUSB0", detail="st\x9bop")
+    file.write(note)
     assert "\x1b" not in file.read().by
-    assert file.read().reason == "stop"
+    assert file.read().why == "stop"
 
 
 def test_a_disk_without_room_keeps_the_latch_without_its_words(file, monkeypatch):

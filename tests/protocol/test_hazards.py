@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.reason import Reason
 from birdcage.protocol.command_list import parse_help
 from birdcage.protocol.g2 import CarryoutG2Protocol
 from birdcage.rotator.values import Position
@@ -171,7 +172,7 @@ def test_within_the_limits_nothing_is_said_of_them(dish, line):
 
 
 def test_the_limit_is_told_where_the_position_is_unknown(dish):
-    dish.gate.forget("raw")
+    dish.gate.forget(Reason.RAW_COMMAND)
     assert "9639.00°" in dish.judge("a 0 9999", "mot", homed=True).limit
     assert "5.00° above" in dish.judge("a 1 70", "mot", homed=True).limit
     assert dish.judge("a 0 100", "mot", homed=True).limit == ""

@@ -5,9 +5,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import pytest
+from birdcage.rotator.facts import CableTurn
 from birdcage.sim.port import SimPort
 from birdcage.station.requests import Goto, Home, Unwatch, Watch
-from birdcage.station.state import Activity, Turn, TvSearch
+from birdcage.station.state import Activity, TvSearch
 
 from .conftest import Bench
 
@@ -84,7 +85,7 @@ def test_the_survey_reads_identity_limits_and_search(bench):
     assert (bench.state.el_min_deg, bench.state.el_max_deg) == (18.0, 65.0)
     assert bench.state.search is TvSearch.OFF
     assert bench.state.readings["nvs.20"].value == "TRUE"
-    assert bench.state.turn is Turn.UNKNOWN
+    assert bench.state.turn is CableTurn.UNKNOWN
 
 
 def test_the_dish_s_own_limits_count():

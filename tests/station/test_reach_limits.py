@@ -17,8 +17,8 @@ from birdcage.sky.reach import reach
 from birdcage.sky.reach_limits import NoGo, ReachLimits
 from birdcage.station.known import list_models
 from birdcage.station.reach_limits import reach_limits, reach_limits_of
+from birdcage.station.state import CableTurn as StateTurn
 from birdcage.station.state import StationState
-from birdcage.station.state import Turn as StateTurn
 
 MODELS = {model.firmware: model for model in list_models()}
 

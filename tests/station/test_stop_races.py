@@ -6,10 +6,11 @@ import math
 
 import pytest
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, NoReply, Stopped
+from birdcage.rotator.facts import CableTurn
 from birdcage.sim.wire import Byte
 from birdcage.station.events import HeldChanged
 from birdcage.station.requests import Goto, Home, Jog, Release, ReleaseMotors
-from birdcage.station.state import Activity, LinkPhase, Turn
+from birdcage.station.state import Activity, LinkPhase
 
 from .conftest import Bench
 
@@ -269,11 +270,11 @@ def test_homing_an_axis_that_does_not_exist_is_refused(bench):
 
 def test_motors_released_means_position_and_turn_unknown_until_homed(bench):
     bench.do(Home("you"), seconds=60)
-    assert bench.state.turn is Turn.COUNTED
+    assert bench.state.turn is CableTurn.COUNTED
     bench.watch("position")
     bench.do(ReleaseMotors("you"))
     bench.step(3)
-    assert bench.state.turn is Turn.UNKNOWN
+    assert bench.state.turn is CableTurn.UNKNOWN
     assert bench.state.position is None
     with pytest.raises(BirdcageError):
         bench.do(Goto(100, 40, "you"))
@@ -302,7 +303,7 @@ def test_the_turn_of_the_cable_is_forgotten_with_the_link(bench):
     bench.step(3)
     bench.device.plug()
     bench.step(10)
-    assert bench.state.turn is Turn.UNKNOWN
+    assert bench.state.turn is CableTurn.UNKNOWN
     assert bench.state.position.cable_deg is None
 
 

@@ -4,6 +4,7 @@ import asyncio
 from dataclasses import replace
 
 import stand_in
+from birdcage.base.held import HeldReason
 from birdcage.station.raw import TranscriptEntry
 from birdcage.station.requests import Raw
 from birdcage.station.state import HeldState
@@ -47,7 +48,7 @@ class Desk:
 
     def latch(self):
         """Let STOP be latched, as it is before its first byte."""
-        self.state(held=HeldState("you", self.clock.monotonic(), self.clock.utc(), "stop"))
+        self.state(held=HeldState("you", self.clock.monotonic(), self.clock.utc(), HeldReason.STOP))
 
     def state(self, **changes):
         self.app.station.state = replace(self.app.station.state, **changes)

@@ -9,6 +9,8 @@ from types import MappingProxyType
 import setup_stand_in
 from birdcage.base.beam import Beam
 from birdcage.base.clock import VirtualClock
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.protocol.menu_raw import MenuRaw
@@ -21,6 +23,7 @@ from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
     Activity,
     Fault,
+    FaultReason,
     HeldState,
     LinkPhase,
     LinkState,
@@ -150,7 +153,7 @@ def slewing(clock):
 def held(clock):
     return replace(
         at_rest(clock),
-        held=HeldState("you", clock.monotonic() - 8, clock.utc(), "stop", "Gpredict", 231.4, 44.0, 3),
+        held=HeldState("you", clock.monotonic() - 8, clock.utc(), HeldReason.STOP, "Gpredict", 231.4, 44.0, 3),
         last_stop=StopReport("you", clock.monotonic() - 8, "retarget", True, "Stopped."),
         activity=Activity.IDLE,
     )
@@ -183,7 +186,7 @@ def not_homed(clock):
         at_rest(clock),
         homed=False,
         position=None,
-        position_lost="unhomed",
+        position_lost=Reason.UNHOMED,
         turn=CableTurn.UNKNOWN,
         target_az_deg=None,
         target_el_deg=None,
@@ -199,7 +202,7 @@ def fault(clock):
     return replace(
         at_rest(clock),
         fault=Fault(
-            "stall",
+            FaultReason.STALL,
             "Azimuth stalled at 203.1°.",
             "Something holds the dish, or a stop was hit; its steps may be lost.",
             "Clear its swing, then home it.",
@@ -302,7 +305,9 @@ def travler_search(clock):
 def travler_unread(clock):
     """Not homed: only switching it off and on homes it."""
     state = travler(clock)
-    return replace(state, homed=False, position=None, position_lost="unhomed", target_az_deg=None, target_el_deg=None)
+    return replace(
+        state, homed=False, position=None, position_lost=Reason.UNHOMED, target_az_deg=None, target_el_deg=None
+    )
 
 
 STATES = {

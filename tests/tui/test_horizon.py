@@ -11,7 +11,7 @@ from birdcage.base.config import load
 from birdcage.base.paths import throw_away_paths
 from birdcage.sky.horizon import HorizonMask
 from birdcage.station.requests import Goto, Jog
-from birdcage.station.state import RAW_COMMAND, Activity
+from birdcage.station.state import Activity
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.horizon import can_mark
 from birdcage_tui.control.horizon_ask import point_of
@@ -79,7 +79,7 @@ def test_one_point_hides_nothing_and_says_so():
         ("slewing", {}, "moving"),
         ("travler-slew", {}, "only modelled"),
         ("late", {}, "is 2 s old"),
-        ("idle", {"activity": Activity.UNKNOWN, "activity_text": RAW_COMMAND}, "moving or may move"),
+        ("idle", {"activity": Activity.UNKNOWN, "raw_motion": True}, "moving or may move"),
     ],
 )
 def test_only_what_was_just_read_at_rest_is_a_point(name, change, says):

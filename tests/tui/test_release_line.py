@@ -9,6 +9,8 @@ import pytest
 import stand_in
 import track_stand_in
 from birdcage.base.clock import VirtualClock
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
 from birdcage.station.state import Activity, HeldState, StopReport, TvSearch
@@ -58,7 +60,7 @@ def test_nothing_moves_after_an_ordinary_stop_and_the_row_says_so(tmp_path, size
 def test_a_pursuit_that_a_lost_link_has_interrupted_goes_on_and_is_named_with_its_direction():
     clock = VirtualClock()
     state, desk, _ = track_stand_in.interrupted(clock)
-    held = HeldState("birdcage", clock.monotonic(), clock.utc(), "link", "tracker", 93.0, 41.0)
+    held = HeldState("birdcage", clock.monotonic(), clock.utc(), HeldReason.LINK, "tracker", 93.0, 41.0)
     view = View(replace(state, held=held), clock.monotonic(), clock.utc(), AppOptions(), track=desk)
     az_deg, el_deg = state.pursuit.plan.sky.at(clock.utc().timestamp())
     words = bad_day(view)[1]
@@ -82,8 +84,8 @@ def test_who_was_refused_may_move_it_and_you_do_not():
         ({"last_stop": StopReport("you", 0.0, "retarget", False, "")}, "it may still be moving"),
         ({"last_stop": StopReport("you", 0.0, "end of move", None, "")}, "it may still be moving"),
         ({"activity": Activity.INITIALIZING}, "it starts up, and moves by itself"),
-        ({"position": None, "position_lost": "released"}, "its motors stay off"),
-        ({"position": None, "position_lost": "unhomed", "homed": False}, "birdcage sends no motion then"),
+        ({"position": None, "position_lost": Reason.RELEASED}, "its motors stay off"),
+        ({"position": None, "position_lost": Reason.UNHOMED, "homed": False}, "birdcage sends no motion then"),
         ({"activity": Activity.UNKNOWN}, "birdcage sends no motion then"),
         ({}, "nothing moves then"),
     ],
@@ -108,7 +110,7 @@ def test_only_a_dish_at_rest_after_a_confirmed_stop_is_said_to_stay():
     clock = VirtualClock()
     state, desk, _ = track_stand_in.interrupted(clock)
     for phase in Phase:
-        held = HeldState("birdcage", clock.monotonic(), clock.utc(), "link")
+        held = HeldState("birdcage", clock.monotonic(), clock.utc(), HeldReason.LINK)
         view = View(replace(state, held=held, pursuit=replace(state.pursuit, phase=phase)), clock.monotonic(),
                     clock.utc(), AppOptions(), track=desk)  # fmt: skip
         assert (after_release(view) == "nothing moves then") == (phase is not Phase.INTERRUPTED), phase

@@ -5,6 +5,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 import track_stand_in
+from birdcage.base.held import HeldReason
 from birdcage.station.events import PositionRead, ReadingRead
 from birdcage.station.requests import AcceptLimits, Home, Jog, Unwatch, Watch
 from birdcage.station.state import HeldState
@@ -169,7 +170,7 @@ def test_the_demo_does_not_begin_on_a_bad_day(name):
 def test_a_hold_ends_the_demo():
     async def tour(app, pilot):
         state, clock = app.station.state, app.session.clock
-        app.station.state = replace(state, held=HeldState("birdcage stop", 0.0, clock.utc(), "stop"))
+        app.station.state = replace(state, held=HeldState("birdcage stop", 0.0, clock.utc(), HeldReason.STOP))
         app._tick()
         app.station.state = replace(app.station.state, held=None)
         ready(app)

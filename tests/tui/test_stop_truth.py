@@ -13,6 +13,7 @@ from datetime import UTC, datetime
 from itertools import product
 
 import pytest
+from birdcage.base.held import HeldReason
 from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.generic import GENERIC_FACTS
@@ -245,7 +246,7 @@ def test_no_line_claims_more_than_is_known(machine, activity):
     clock = VirtualClock()
     state = replace(STATES["travler" if machine == "hal205" else "idle"](clock), dish=MACHINES[machine])
     plain = View(state, clock.monotonic(), clock.utc(), AppOptions())
-    held = HeldState("you", plain.now, plain.utc, "stop")
+    held = HeldState("you", plain.now, plain.utc, HeldReason.STOP)
     reports = [None, *(StopReport("you", plain.now, *each, "") for each in product(REPORTED, (None, False)))]
     kinds = [(motion, by) for motion in motions(plain) for by in (UNPLANNED if motion is None else UNPLANNED[:1])]
     for link, (motion, by), report, latched in product(LinkPhase, kinds, reports, (None, held)):

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 import pytest
 import stand_in
+from birdcage.base.held import HeldReason
 from birdcage.station.requests import Release
 from birdcage.station.state import HeldState
 from test_track_lists import with_schedule
@@ -49,7 +50,7 @@ def test_on_a_small_screen_the_pass_is_left_out_and_nothing_is_cut():
 @pytest.mark.parametrize("size", [(80, 24), (160, 48)], ids=str)
 def test_enter_in_the_field_chooses_while_the_dish_is_held_and_row_2_names_no_key_that_the_field_takes(size):
     async def choose(app, pilot, desk):
-        held = HeldState("you", 0.0, app.session.clock.utc(), "stop")
+        held = HeldState("you", 0.0, app.session.clock.utc(), HeldReason.STOP)
         app.station.state = replace(app.station.state, held=held)
         text = await typed(app, pilot, desk)
         await pilot.press("enter")

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 import pytest
 import stand_in
 from birdcage.base.clock import VirtualClock
+from birdcage.base.held import HeldReason
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import End, MoveEnded
@@ -306,7 +307,7 @@ def test_a_dish_that_still_turns_after_stop_is_not_said_to_be_held(means, confir
 
 def test_a_move_that_nothing_calls_back_is_not_said_to_have_been_sent_a_stop():
     view = view_of("travler")
-    held = HeldState("you", view.now, view.utc, "stop")
+    held = HeldState("you", view.now, view.utc, HeldReason.STOP)
     stopped = StopReport("you", view.now, "end of move", None, "A sentence.")
     state = replace(view.state, held=held, activity=Activity.STOPPING, last_stop=stopped)
     _ink, words = bad_day(View(state, view.now, view.utc, AppOptions()))

@@ -8,6 +8,7 @@ from dataclasses import replace
 import sky_stand_in
 import stand_in
 from birdcage.base.geometry import separation
+from birdcage.base.held import HeldReason
 from birdcage.pursuit.now import DeskNow, Mode, Scheduled, TargetMatch, Unfinished
 from birdcage.radio import peer
 from birdcage.radio.now import RadioNow, RadioState
@@ -193,7 +194,7 @@ def chosen_geo(clock):
 
 def held_geo(clock):
     state, now, seen = followed_geo(clock)
-    held = HeldState("you", clock.monotonic(), clock.utc(), "stop", None, None, None, 0)
+    held = HeldState("you", clock.monotonic(), clock.utc(), HeldReason.STOP, None, None, None, 0)
     over = replace(state.pursuit, phase=Phase.OVER, why="Stopped by you.")
     return replace(state, activity=Activity.IDLE, pursuit=over, held=held), now, seen
 
@@ -276,7 +277,7 @@ def held(clock):
         state,
         activity=Activity.IDLE,
         pursuit=replace(state.pursuit, phase=Phase.OVER, why="Stopped by you."),
-        held=HeldState("you", clock.monotonic(), clock.utc(), "stop", None, None, None, 0),
+        held=HeldState("you", clock.monotonic(), clock.utc(), HeldReason.STOP, None, None, None, 0),
     )
     return state, now, seen
 

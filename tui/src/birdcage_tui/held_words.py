@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from datetime import datetime
 
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.station.pursuit_state import Phase, Pursuit
 from birdcage.station.state import Activity, HeldState, StopReport, TvSearch
 from birdcage.station.stop_words import awaited_words
@@ -25,13 +27,13 @@ def held_words(view: View) -> str:
     """Return who holds it and why, whose motion was refused, and what Enter and U set in motion."""
     held = view.state.held
     assert held is not None, "asked only while held"
-    why = "" if held.reason == "stop" else f" ({held.reason})"
+    why = "" if held.reason is HeldReason.STOP else f" ({held.why})"
     words = f"■ HELD by {held.by}{why}{_since(view, held.utc)}"
     if held.damage:
         words = f"■ HELD by unknown{_since(view, held.utc)}"
     words += _ignored(view, held)
     stopped = view.state.last_stop
-    if held.reason == "stop" and stopped is not None:
+    if held.reason is HeldReason.STOP and stopped is not None:
         awaited = f"  {awaited_words(view.state, stopped)}"
         words += {True: "", False: "  STOP NOT CONFIRMED", None: awaited}[stopped.confirmed]
     kept = "  NOT KEPT on disk" if view.state.held_trouble else ""
@@ -47,10 +49,10 @@ def after_release(view: View) -> str:
         return "the TV search moves it on"
     if state.activity is Activity.INITIALIZING:
         return "it starts up, and moves by itself"
-    if state.position_lost == "released":
+    if state.position_lost is Reason.RELEASED:
         return "its motors stay off"
     by_time = state.dish is not None and not state.dish.tells_at_rest and state.activity is Activity.IDLE
-    unproven = held is not None and held.reason == "stop" and _unproven(state.last_stop) and not by_time
+    unproven = held is not None and held.reason is HeldReason.STOP and _unproven(state.last_stop) and not by_time
     if view.moving or unproven:
         return "it may still be moving"
     if (words := _next_mover(view)) is not None:

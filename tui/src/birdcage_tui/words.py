@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.config import feed_label
+from birdcage.base.reason import Reason
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, LinkPhase, Pointing, TvSearch
 
@@ -173,7 +174,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
         return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
         return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {_homed_by(view)}"
-    if state.position_lost == "unreadable" and state.activity is not Activity.HOMING:
+    if state.position_lost is Reason.UNREADABLE and state.activity is not Activity.HOMING:
         where = "" if "pocket" in view.scopes else ": see F5"
         return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable{where}.  {_homed_by(view)}"
     pursued = trouble(view)

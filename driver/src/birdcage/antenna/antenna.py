@@ -27,6 +27,7 @@ from birdcage.antenna.stop_aim import StopAim
 from birdcage.antenna.strategy.choice import strategy_for, suited
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import CommandRefused, Held, MotionRefused, PositionUnknown, Stopped, WrongThread
+from birdcage.base.reason import Reason
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
 from birdcage.rotator.adapting import as_rotator
@@ -197,7 +198,7 @@ class BirdcageAntenna:
         self._check_thread()
         if not self.is_connected:
             self.connect()
-        self.gate.forget("unread")  # a search that moves the dish may end with it
+        self.gate.forget(Reason.UNREAD)  # a search that moves the dish may end with it
         self.rotator.begin(lambda _words: None)
 
     def get_position(self) -> Position:
@@ -288,7 +289,7 @@ class BirdcageAntenna:
         try:
             current = self.get_position()
         except PositionUnknown as unknown:
-            if unknown.reason != UNTOLD:
+            if unknown.reason is not UNTOLD:
                 raise
             current = None
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
@@ -328,7 +329,7 @@ class BirdcageAntenna:
             self.odometer.take(before, planned)
         except (Stopped, CommandRefused, MotionRefused, Held) as error:
             with self.modelling:
-                if self.taken == taken and self.motion is planned and error.reason != "closing":
+                if self.taken == taken and self.motion is planned and error.reason != Reason.CLOSING:
                     self.motion = before  # nothing of it moves: the dish does what it did
             raise
         finally:
@@ -379,7 +380,7 @@ class BirdcageAntenna:
                 what = "its move" if self.motion.silent else "a move of one axis"
                 raise CommandRefused(
                     f"The {self.model.name} can't call back {what}: it ends in {left_s:.0f} s, at its target.",
-                    reason="queued",
+                    reason=Reason.QUEUED,
                 )
             self.motion = None
         if order is None:

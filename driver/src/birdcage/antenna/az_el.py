@@ -10,6 +10,7 @@ from birdcage.antenna.gate import MotionGate
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, MotionRefused
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.axis import TurnBy
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
@@ -159,7 +160,7 @@ class AzEl:
                 f"The {self._rotator.facts.name} misses this direction by {miss_deg:.2f}°, more than the "
                 f"{self.most_missed_deg:.2f}° allowed. Nothing was sent. The nearest that it reaches is azimuth "
                 f"{true_az:.2f}°, elevation {true_el:.2f}°.",
-                reason="missed", limit_deg=self.most_missed_deg, by_deg=miss_deg - self.most_missed_deg,
+                reason=Reason.MISSED, limit_deg=self.most_missed_deg, by_deg=miss_deg - self.most_missed_deg,
             )  # fmt: skip
         return nearest
 

@@ -10,6 +10,7 @@ from birdcage.antenna.mapped_way import mapped_points
 from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.values import Position
 
@@ -47,9 +48,9 @@ class Bounds:
     """Added to the angles in sentences and to `limit_deg`: whoever asked speaks true degrees."""
 
 
-UNTOLD = "untold"
+UNTOLD = Reason.UNTOLD
 """Why the position is not known of a dish that does not report it, before its first move is over."""
-NO_DIRECTION = "no_direction"
+NO_DIRECTION = Reason.NO_DIRECTION
 """Why it is not known of a machine that has no azimuth and elevation, and no mapping that makes some (yet)."""
 
 
@@ -60,7 +61,7 @@ class MotionGate:
         self.model = model
         self.bounds = bounds or Bounds()
         self.position: Position | None = None
-        self.unknown_reason = "unread"
+        self.unknown_reason = Reason.UNREAD
         self.cable_deg: float | None = None
         self.last_cable_deg = 0.0
         """The turn of the cable when it was last known: STOP may come while the position is in doubt."""
@@ -79,7 +80,7 @@ class MotionGate:
         PositionUnknown (`released`) while an axis was not homed since its motor was released.
         """
         if self.released:
-            self.forget("released")
+            self.forget(Reason.RELEASED)
             raise self._unknown()
         if self.model.turn is CableTurn.REPORTED:
             self.cable_deg, self.remembers_cable = position.azimuth, False
@@ -99,15 +100,15 @@ class MotionGate:
         """Go on with a count that was begun earlier."""
         self.cable_deg, self.remembers_cable = cable_deg, True
 
-    def forget(self, reason: str) -> None:
-        """Forget the position: `unread`, `unhomed`, `unreadable`, `released`, `raw`."""
+    def forget(self, reason: Reason) -> None:
+        """Forget the position; `reason` says why no motion is sent until it is known again."""
         self.position, self.unknown_reason, self.cable_deg = None, reason, None
         self.remembers_cable = False
 
     def release(self) -> None:
         """Take in that the motors were released: only homing tells where the axes are."""
         self.released = {self.model.azimuth.index, self.model.elevation.index}
-        self.forget("released")
+        self.forget(Reason.RELEASED)
 
     def found_reference(self, index: int) -> None:
         """Take in that an axis was homed."""
@@ -157,16 +158,16 @@ class MotionGate:
         """Raise `MotionRefused` unless the dish has a skew axis that may stand at this angle, wherever it is now."""
         axis = self.model.skew
         if axis is None:
-            raise MotionRefused(f"The {self.model.name} has no skew axis. Nothing was sent.", reason="unsupported")
+            raise MotionRefused(f"The {self.model.name} has no skew axis. Nothing was sent.", reason=Reason.UNSUPPORTED)
         if not math.isfinite(deg):
             raise MotionRefused(
-                f"The skew asked for is {deg}, which is not an angle. Nothing was sent.", reason="not_a_number"
+                f"The skew asked for is {deg}, which is not an angle. Nothing was sent.", reason=Reason.NOT_A_NUMBER
             )
         limit = min(max(deg, axis.min_deg), axis.max_deg)
         if limit != deg:
             raise MotionRefused(
                 f"Skew {deg:.2f}° is {abs(deg - limit):.2f}° beyond the limit of {limit:.2f}°. Nothing was sent.",
-                reason="skew_limit", limit_deg=limit, by_deg=abs(deg - limit),
+                reason=Reason.SKEW_LIMIT, limit_deg=limit, by_deg=abs(deg - limit),
             )  # fmt: skip
 
     def require_direction(self) -> None:
@@ -188,7 +189,8 @@ class MotionGate:
         for name, value in (("azimuth", az_deg), ("elevation", el_deg)):
             if value is not None and not math.isfinite(value):
                 raise MotionRefused(
-                    f"The {name} asked for is {value}, which is not an angle. Nothing was sent.", reason="not_a_number"
+                    f"The {name} asked for is {value}, which is not an angle. Nothing was sent.",
+                    reason=Reason.NOT_A_NUMBER,
                 )
         self.require_direction()
         start = self.position or self._first_start(az_deg, el_deg)
@@ -204,13 +206,13 @@ class MotionGate:
         MotionRefused where there is a no-go sector: its way may pass through it. PositionUnknown of any other dish, or
         where it could turn its cable too far.
         """
-        if self.unknown_reason != UNTOLD or az_deg is None or el_deg is None or self.model.cable is not None:
+        if self.unknown_reason is not UNTOLD or az_deg is None or el_deg is None or self.model.cable is not None:
             raise self._unknown()
         if self.bounds.sectors:
             raise MotionRefused(
                 "This dish does not tell where it points, so its way may pass through a no-go sector. Nothing was "
                 "sent. Take the sectors out for this one move, watch the dish, and put them back.",
-                reason="sector",
+                reason=Reason.SECTOR,
             )
         return Position(az_deg, el_deg)
 
@@ -255,14 +257,14 @@ class MotionGate:
 
     def _unknown(self) -> PositionUnknown:
         why = {
-            "unread": "the position of the dish has not been read yet. Wait a moment.",
-            "unhomed": "the dish is not homed, so it does not know where it points. Home it first.",
-            "unreadable": "the dish's position reply can't be read. Home it; the console shows the reply.",
-            "released": "the motors were released, so the position is unknown. Home the dish.",
+            Reason.UNREAD: "the position of the dish has not been read yet. Wait a moment.",
+            Reason.UNHOMED: "the dish is not homed, so it does not know where it points. Home it first.",
+            Reason.UNREADABLE: "the dish's position reply can't be read. Home it; the console shows the reply.",
+            Reason.RELEASED: "the motors were released, so the position is unknown. Home the dish.",
             UNTOLD: "this dish does not tell where it points. Send it somewhere first, by its full direction.",
-            "raw": "a raw command may have moved the dish. Read the position again.",
+            Reason.RAW_COMMAND: "a raw command may have moved the dish. Read the position again.",
         }
-        if self.unknown_reason == NO_DIRECTION:
+        if self.unknown_reason is NO_DIRECTION:
             return PositionUnknown(f"{self.model.no_direction} Nothing was sent.", reason=NO_DIRECTION)
         sentence = why.get(self.unknown_reason, self.unknown_reason)
         return PositionUnknown(f"No motion: {sentence}", reason=self.unknown_reason)
@@ -275,7 +277,7 @@ class MotionGate:
                 raise MotionRefused(
                     f"Azimuth {az_deg + plus:.2f}° is {by:.2f}° beyond the limit of {limit + plus:.2f}°. "
                     "Nothing was sent.",
-                    reason="az_limit", limit_deg=limit + plus, by_deg=by,
+                    reason=Reason.AZ_LIMIT, limit_deg=limit + plus, by_deg=by,
                 )  # fmt: skip
         limits = self.cable_limits
         if limits is None:
@@ -285,13 +287,13 @@ class MotionGate:
             raise MotionRefused(
                 f"Azimuth {self._true_az(az_deg):.2f}° would turn the cable {by:.2f}° beyond its stop at "
                 f"{limit:+.2f}° (it stands at {self.cable_deg:+.2f}°). Nothing was sent{self._round_about(az_deg)}.",
-                reason="wrap", limit_deg=limit, by_deg=by,
+                reason=Reason.WRAP, limit_deg=limit, by_deg=by,
             )  # fmt: skip
         if self.cable_deg is None and not is_safe_at_any_turn(self.model, start.azimuth, az_deg, limits):
             raise MotionRefused(
                 f"The cable may turn from {limits[0]:+.2f}° to {limits[1]:+.2f}° only, and its turn is unknown. "
                 "Home the dish from birdcage, which then counts the turn. Nothing was sent.",
-                reason="wrap",
+                reason=Reason.WRAP,
             )
 
     def _round_about(self, az_deg: float) -> str:
@@ -325,7 +327,7 @@ class MotionGate:
             ceiling = self.el_max_deg + plus
             raise MotionRefused(
                 f"Elevation {el_deg + plus:.2f}° is {by:.2f}° above the limit of {ceiling:.2f}°. Nothing was sent.",
-                reason="el_limit", limit_deg=ceiling, by_deg=by,
+                reason=Reason.EL_LIMIT, limit_deg=ceiling, by_deg=by,
             )  # fmt: skip
 
     def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
@@ -382,7 +384,7 @@ class MotionGate:
                 f"The way to {target} passes through {where}, {by:.2f}° too low, as both axes turn at once or in any "
                 "order. Nothing was sent: go up first, then across, then down."
             )
-        return MotionRefused(sentence, reason="sector", limit_deg=below, by_deg=by)
+        return MotionRefused(sentence, reason=Reason.SECTOR, limit_deg=below, by_deg=by)
 
     def _true_az(self, az_deg: float) -> float:
         plus = self.bounds.az_offset_deg

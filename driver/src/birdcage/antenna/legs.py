@@ -13,6 +13,7 @@ from birdcage.antenna.mapped_way import mapped_motion, mapped_s
 from birdcage.antenna.motion import DishMotion, move_axis, plan_axis
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position
@@ -85,7 +86,7 @@ def skew_leg(model: Facts, start: Position, deg: float) -> Leg:
     """Return the leg that turns the skew. MotionRefused (`unsupported`) on a dish without that axis."""
     axis = model.skew
     if axis is None:
-        raise MotionRefused(f"The {model.name} has no skew axis. Nothing was sent.", reason="unsupported")
+        raise MotionRefused(f"The {model.name} has no skew axis. Nothing was sent.", reason=Reason.UNSUPPORTED)
     way = axis.max_deg - axis.min_deg if start.skew is None else deg - start.skew
     seconds = _seconds(axis, way)
     return Leg(start.azimuth, start.elevation, axis.index, seconds, seconds, skew_deg=deg)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from birdcage.antenna.az_el import AzEl
 from birdcage.antenna.gate import MotionGate
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Reading
 
@@ -18,13 +19,13 @@ class Maintenance:
 
     def home(self, motor: int) -> None:
         """Find the reference of an axis. CommandRefused (`unsupported`) where the dish homes only by itself."""
-        self._gate.forget("unread")
+        self._gate.forget(Reason.UNREAD)
         self._rotator.home(motor)
         self._gate.found_reference(motor)
 
     def stow(self) -> None:
         """Fold the dish flat, as the firmware does it. CommandRefused (`unsupported`) where it does not."""
-        self._gate.forget("unread")
+        self._gate.forget(Reason.UNREAD)
         self._rotator.stow()
 
     def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:
@@ -48,4 +49,4 @@ class Maintenance:
             return {TV_SEARCH: self._rotator.write(TV_SEARCH, False)}
         finally:
             if self._rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
-                self._gate.forget("unread")
+                self._gate.forget(Reason.UNREAD)

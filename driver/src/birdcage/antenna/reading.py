@@ -8,6 +8,7 @@ from birdcage.antenna.gate import MotionGate
 from birdcage.antenna.reading_filter import ReadingFilter
 from birdcage.base.clock import Clock
 from birdcage.base.errors import PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.rotator.readings import UnreadablePosition, settled
 from birdcage.rotator.values import Position
 
@@ -31,7 +32,7 @@ class Readings:
             try:
                 return once()
             except UnreadablePosition:
-                gate.forget("unread")
+                gate.forget(Reason.UNREAD)
                 raise
 
         try:

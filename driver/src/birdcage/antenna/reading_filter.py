@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from birdcage.base.clock import Clock
 from birdcage.base.errors import NoReply
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import Position
 
@@ -102,7 +103,9 @@ class ReadingFilter:
                 doubted = False
             earlier = before
         self._last = None
-        raise NoReply("The dish reports angles that do not fit together: bytes change on the wire.", reason="garbage")
+        raise NoReply(
+            "The dish reports angles that do not fit together: bytes change on the wire.", reason=Reason.GARBAGE
+        )
 
     def _expected(self, last: _Seen | None, now: float) -> Expected | None:
         expected = None if last is None else self.foresee(last.position, last.at, now)

@@ -13,6 +13,7 @@ from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.motion import DishMotion, plan_axis
 from birdcage.base.errors import MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import Position
 
@@ -136,7 +137,7 @@ class Reckoning:
             raise MotionRefused(
                 f"The dish may still be on its way for {self.moves_until - now:.0f} s, and does not tell. Nothing was "
                 "sent: wait until then.",
-                reason="moving",
+                reason=Reason.MOVING,
             )
 
     @staticmethod

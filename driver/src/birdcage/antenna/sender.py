@@ -12,6 +12,7 @@ from birdcage.antenna.reckoning import farthest
 from birdcage.antenna.steering import sent_to, steered
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.base.reason import Reason
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ class MoveSender:
         antenna, gate, clock = self._antenna, self._antenna.gate, self._antenna.rotator.clock
         azimuth = antenna.model.azimuth
         if antenna.model.no_following:
-            raise MotionRefused(f"{antenna.model.no_following} Nothing was sent.", reason="unsupported")
+            raise MotionRefused(f"{antenna.model.no_following} Nothing was sent.", reason=Reason.UNSUPPORTED)
         turns_az = motor == azimuth.index
         if turns_az and azimuth.max_deg - azimuth.min_deg >= 360.0:
             dish_deg = round(wrap_360(dish_deg), 2) % 360.0  # as it is printed: never 360.00

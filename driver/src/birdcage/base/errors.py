@@ -25,6 +25,7 @@ the dish, what to do.
 
 from __future__ import annotations
 
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
 from birdcage.base.trouble import MotorTrouble
 
@@ -32,9 +33,9 @@ from birdcage.base.trouble import MotorTrouble
 class BirdcageError(Exception):
     """Base of all. `reason` is a stable word; the message is for people, whatever it quotes (`base.text`)."""
 
-    reason = "error"
+    reason: Reason = Reason.ERROR
 
-    def __init__(self, message: str, *, reason: str | None = None) -> None:
+    def __init__(self, message: str, *, reason: Reason | None = None) -> None:
         super().__init__(clean(message))
         if reason is not None:
             self.reason = reason
@@ -43,25 +44,25 @@ class BirdcageError(Exception):
 class ConfigError(BirdcageError):
     """A setting cannot be read or is not allowed; the message names file, key and remedy."""
 
-    reason = "config"
+    reason = Reason.CONFIG
 
 
 class StoreError(BirdcageError):
     """A database of ours. Reasons: newer, damaged, failed."""
 
-    reason = "failed"
+    reason = Reason.FAILED
 
 
 class LinkError(BirdcageError):
     """The port. Reasons: missing, busy, permission, unsupported, lost, failed."""
 
-    reason = "failed"
+    reason = Reason.FAILED
 
 
 class NoReply(BirdcageError):
     """The dish did not answer within its deadline. Reasons: silent, garbage, echo, blocked."""
 
-    reason = "silent"
+    reason = Reason.SILENT
 
 
 class CommandRefused(BirdcageError):
@@ -70,9 +71,9 @@ class CommandRefused(BirdcageError):
     `trouble` is what that answer says of a motor; None if it says nothing of one.
     """
 
-    reason = "unknown_command"
+    reason = Reason.UNKNOWN_COMMAND
 
-    def __init__(self, message: str, *, reason: str | None = None, trouble: MotorTrouble | None = None) -> None:
+    def __init__(self, message: str, *, reason: Reason | None = None, trouble: MotorTrouble | None = None) -> None:
         super().__init__(message, reason=reason)
         self.trouble = trouble
 
@@ -80,7 +81,7 @@ class CommandRefused(BirdcageError):
 class OutOfRange(CommandRefused, ValueError):
     """A value lies outside the range of what it was meant for: nothing was sent."""
 
-    reason = "out_of_range"
+    reason = Reason.OUT_OF_RANGE
 
 
 class MotionRefused(BirdcageError):
@@ -89,13 +90,13 @@ class MotionRefused(BirdcageError):
     `limit_deg` is the limit that it would break and `by_deg` by how much; None if no number applies.
     """
 
-    reason = "limit"
+    reason = Reason.LIMIT
 
     def __init__(
         self,
         message: str,
         *,
-        reason: str | None = None,
+        reason: Reason | None = None,
         limit_deg: float | None = None,
         by_deg: float | None = None,
     ) -> None:
@@ -107,58 +108,58 @@ class MotionRefused(BirdcageError):
 class BelowFloor(MotionRefused, ValueError):
     """The target lies below the elevation floor."""
 
-    reason = "floor"
+    reason = Reason.FLOOR
 
 
 class PositionUnknown(MotionRefused):
     """The position of the dish is unknown. Reasons: unread, unhomed, unreadable, released."""
 
-    reason = "unread"
+    reason = Reason.UNREAD
 
 
 class NotTaken(BirdcageError):
     """The dish answered a move with nothing, or with what is not known, and stands where it stood."""
 
-    reason = "not_taken"
+    reason = Reason.NOT_TAKEN
 
 
 class Held(BirdcageError):
     """STOP is latched: the dish stays until a person releases it."""
 
-    reason = "held"
+    reason = Reason.HELD
 
 
 class LeaseDenied(BirdcageError):
     """Somebody else has control; the message names the holder."""
 
-    reason = "lease"
+    reason = Reason.LEASE
 
 
 class ConfirmationNeeded(BirdcageError):
     """A raw console line that is not harmless was sent without a person's word; the message names the consequence."""
 
-    reason = "confirm"
+    reason = Reason.CONFIRM
 
 
 class Superseded(BirdcageError):
     """A newer target replaced this one before it was reached."""
 
-    reason = "superseded"
+    reason = Reason.SUPERSEDED
 
 
 class Stopped(BirdcageError):
     """The motion was ended before it arrived: STOP, a lost link, a fault or the end of the station."""
 
-    reason = "stopped"
+    reason = Reason.STOPPED
 
 
 class Cancelled(BirdcageError):
     """The person who asked for it took it back."""
 
-    reason = "cancelled"
+    reason = Reason.CANCELLED
 
 
 class WrongThread(BirdcageError):
     """A station owns this antenna: ask the station instead."""
 
-    reason = "wrong_thread"
+    reason = Reason.WRONG_THREAD

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
 from birdcage.base.user_file import check_regular
 
@@ -48,7 +49,7 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
     except sqlite3.DatabaseError as error:
         connection.close()
         raise StoreError(
-            f"{path} is damaged ({error}). Move it away: a new one is made at the next start.", reason="damaged"
+            f"{path} is damaged ({error}). Move it away: a new one is made at the next start.", reason=Reason.DAMAGED
         ) from error
     except StoreError:
         connection.close()
@@ -85,7 +86,7 @@ def _migrate(connection: sqlite3.Connection, path: Path, migrations: Sequence[Mi
             raise StoreError(
                 f"{path} was written by a newer birdcage (version {version}, this one knows {len(migrations)}). "
                 "Update birdcage, or move the file away.",
-                reason="newer",
+                reason=Reason.NEWER,
             )
         for statements in migrations[version:]:
             for statement in statements:

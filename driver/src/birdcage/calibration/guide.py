@@ -13,6 +13,7 @@ from birdcage.base.alignments import AlignmentSet, alignment_settings, keep_set,
 from birdcage.base.config import Settings, edit, load
 from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.base.paths import Paths
+from birdcage.base.reason import Reason
 from birdcage.calibration.candidates import CalibrationObject
 from birdcage.calibration.expected import expected
 from birdcage.calibration.peak import SLOT_RISE_DB, MeasuredPeak, sigma_by_hand
@@ -39,7 +40,7 @@ FRESH_S = 5.0
 class NoPeak(BirdcageError):
     """No peak can be taken now. Reasons: target, moving, position."""
 
-    reason = "position"
+    reason = Reason.POSITION
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,7 +160,7 @@ class Guide:
             self.choose(target)
         stands = self._stands()
         if stands is None or self._target is None:
-            raise NoPeak("No object is chosen.", reason="target")
+            raise NoPeak("No object is chosen.", reason=Reason.TARGET)
         # The station aims by the alignment in force; the peaks taken since know better.
         az_deg, el_deg = in_force(self.settings).to_true(*self._aim.to_dish(*stands))
         self._ask(Goto(az_deg, el_deg, self._holder, take_over=self._takes_over), f"going to {self._target.name}")
@@ -180,7 +181,9 @@ class Guide:
         """
         reason, position, target = self._may_not_take(), self._position, self._target
         if reason or position is None or target is None:
-            raise NoPeak(reason, reason="target" if target is None else "moving" if self._moving else "position")
+            raise NoPeak(
+                reason, reason=Reason.TARGET if target is None else Reason.MOVING if self._moving else Reason.POSITION
+            )
         peak = peak_at(self.settings, target, position, sigma_deg, self._beam)
         kept = add_peak(peaks_file(self._paths), peak)
         self._read()
@@ -200,7 +203,7 @@ class Guide:
     def apply(self, name: str) -> AlignmentSet:
         """Keep the fit as a set called `name` and put it into force. ConfigError, NoPeak: nothing was changed."""
         if self._fit is None:
-            raise NoPeak("No peaks yet, so there is nothing to apply.", reason="target")
+            raise NoPeak("No peaks yet, so there is nothing to apply.", reason=Reason.TARGET)
         found = set_from(self.settings, self._fit, name, self._clock.utc())
         keep_set(self._paths.alignments_file, found)
         return self.use(name)

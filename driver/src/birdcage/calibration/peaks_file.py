@@ -14,6 +14,7 @@ from pathlib import Path
 
 from birdcage.base.errors import StoreError
 from birdcage.base.paths import Paths, write_aside_and_rename
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import check_regular, read_user_file
 from birdcage.calibration.peak import MeasuredPeak
@@ -82,7 +83,7 @@ def remove_peaks(path: Path, *numbers: int) -> Peaks:
     kept = load_peaks(path)
     missing = set(numbers) - {peak.number for peak in kept.entries}
     if missing:
-        raise StoreError(f"There is no peak {min(missing)}. Nothing was removed.", reason="missing")
+        raise StoreError(f"There is no peak {min(missing)}. Nothing was removed.", reason=Reason.MISSING)
     lines = _lines(path) if numbers else []
     left = [line for line in lines if not _is_one_of(line, numbers)]
     try:

@@ -6,6 +6,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import Held
+from birdcage.base.reason import Reason
 from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
 from birdcage.cli.say import say, tell_json
 from birdcage.cli.track_shown import PursuitShown
@@ -82,7 +83,7 @@ class _Watch:
         if held is not None and held.earlier:
             raise Held(f"{held.sentence} Nothing is followed: `birdcage release` lets it move again.")
         if held is not None:
-            raise Held(f"{held.sentence} Nothing is followed any more.", reason="stopped")
+            raise Held(f"{held.sentence} Nothing is followed any more.", reason=Reason.STOPPED)
         now, utc = self._desk.now, self._dish.session.clock.utc()
         if now.problem != self._problem:
             self._problem = now.problem

@@ -14,6 +14,7 @@ import click
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BirdcageError, ConfigError, LinkError, MotionRefused, NoReply, PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
 from birdcage.cli.app import EndedBySignal
@@ -30,7 +31,6 @@ from birdcage.station.requests import Request, Watch
 from birdcage.station.session import Session
 from birdcage.station.state import Activity, LinkPhase, StationState, StopReport
 
-WRONG_FIRMWARE = "wrong_firmware"
 """The console is another dish's: waiting longer changes nothing."""
 SLICE_S = 0.1
 """How long a wait goes without looking round: on Windows no signal ends it."""
@@ -104,9 +104,9 @@ class DishSession:
             link, over = self.state.link, self.now >= deadline
             if link.state is LinkPhase.LOST and (over or not patient or link.last_reply is None):
                 raise LinkError(link.detail)
-            silent = link.state is LinkPhase.SILENT and (not patient or link.reason == WRONG_FIRMWARE)
+            silent = link.state is LinkPhase.SILENT and (not patient or link.reason is Reason.WRONG_FIRMWARE)
             if over or silent:
-                raise NoReply(link.detail, reason=link.reason or None)
+                raise NoReply(link.detail, reason=link.reason)
             self.look(hear)
             each_time()
         return self.state
@@ -122,7 +122,7 @@ class DishSession:
         deadline = self.now + timeout_s
         while not future.done():
             if self.now >= deadline:
-                raise BirdcageError(f"Not done within {timeout_s:.0f} s.", reason="timeout")
+                raise BirdcageError(f"Not done within {timeout_s:.0f} s.", reason=Reason.TIMEOUT)
             self.look(hear)
 
     def look(self, hear: Hear | None = None) -> None:
@@ -206,12 +206,12 @@ def need_position(dish: DishSession) -> None:
     """
     facts = dish.state.dish
     if facts is not None and facts.no_following:
-        raise MotionRefused(f"{facts.no_following} Nothing was sent.", reason="unsupported")
+        raise MotionRefused(f"{facts.no_following} Nothing was sent.", reason=Reason.UNSUPPORTED)
     deadline = dish.now + READ_S
     while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
         dish.look()
     if dish.state.position is None or dish.state.position_lost is not None:
-        raise PositionUnknown(f"Nothing is followed. {why_unknown(dish.state)}", reason="unhomed")
+        raise PositionUnknown(f"Nothing is followed. {why_unknown(dish.state)}", reason=Reason.UNHOMED)
 
 
 def how_to_home(state: StationState) -> str:

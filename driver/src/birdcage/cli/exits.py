@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from birdcage.base.reason import Reason
+
 if TYPE_CHECKING:
     from birdcage.base.errors import BirdcageError
 
@@ -44,9 +46,9 @@ def code_of(error: BirdcageError) -> int:
     """Return the exit code for an error."""
     from birdcage.base.errors import ConfigError, Held, LinkError, MotionRefused, NoReply, OutOfRange
 
-    if isinstance(error, ConfigError) or error.reason == "wrong_firmware":
+    if isinstance(error, ConfigError) or error.reason == Reason.WRONG_FIRMWARE:
         return USAGE
-    if isinstance(error, LinkError | NoReply) or error.reason == "link":
+    if isinstance(error, LinkError | NoReply) or error.reason == Reason.LINK:
         return LINK
     refused = isinstance(error, MotionRefused | OutOfRange) or (isinstance(error, Held) and error.reason == Held.reason)
     return REFUSED if refused else NOT_DONE

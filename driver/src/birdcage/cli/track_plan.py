@@ -5,6 +5,8 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
+from birdcage.base.reason import Reason
+
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.pursuit.chosen_target import ChosenTarget
@@ -39,7 +41,7 @@ def plan_for(choice: ChosenTarget, wants: Wanted, observer: Observer, now: datet
     at = Circumstances(now, observer, mount_for(wants), wants.settings)
     choice.refresh(at)
     if choice.plan is None:
-        raise BirdcageError(choice.problem, reason="no_plan")
+        raise BirdcageError(choice.problem, reason=Reason.NO_PLAN)
     choice.plan = refined(
         choice.plan, at.mount, options_of(wants.settings), wants.settings.tracking.preposition_s
     )  # fmt: skip

@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Literal
 
 from birdcage.base.errors import BirdcageError, MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.cli.track_shown import PursuitShown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
@@ -94,21 +95,21 @@ class _Watch:
                 self._left, deadline = True, self._dish.now + END_S
                 self._desk.leave()
             if self._dish.now >= deadline:
-                raise BirdcageError(f"The pursuit did not end within {END_S:.0f} s.", reason="timeout")
+                raise BirdcageError(f"The pursuit did not end within {END_S:.0f} s.", reason=Reason.TIMEOUT)
         clock = self._dish.session.clock
         now = clock.utc()
         self._shown.end(self._pursuit, now)
         end = reach_end(self._pursuit.plan)
         early = end is None or now < end - timedelta(seconds=EARLY_S * clock.rate)
         if not self._left and (self._dish.state.held is not None or early):
-            raise BirdcageError(self._pursuit.why, reason="ended")
+            raise BirdcageError(self._pursuit.why, reason=Reason.ENDED)
 
     def _begin(self) -> None:
         """Wait until the station has taken it on."""
         deadline = self._dish.now + BEGIN_S
         while self._pursuit is None:
             if self._dish.now >= deadline:
-                raise BirdcageError(f"Nothing started within {BEGIN_S:.0f} s.", reason="timeout")
+                raise BirdcageError(f"Nothing started within {BEGIN_S:.0f} s.", reason=Reason.TIMEOUT)
             self._dish.look(self._hear)
             self._look_at_desk()
 
@@ -117,7 +118,7 @@ class _Watch:
             raise self._desk.crash
         now = self._desk.now
         if self._pursuit is None and now.problem and now.mode is not Mode.FOLLOW:
-            raise MotionRefused(now.problem, reason="limit")
+            raise MotionRefused(now.problem, reason=Reason.LIMIT)
 
     def _is_enough(self) -> bool:
         until, pursuit = self._order.until, self._pursuit

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import ConfigError, NoReply
+from birdcage.base.reason import Reason
 from birdcage.cli.options import Wanted
 from birdcage.cli.say import Progress, say
 
@@ -37,7 +38,7 @@ def with_firmware(
     if found.candidates:
         raise ConfigError(found.sentence)
     if found.talks:
-        raise NoReply(found.sentence, reason="wrong_firmware")
+        raise NoReply(found.sentence, reason=Reason.WRONG_FIRMWARE)
     if patience_s and found.trouble is None:
         raise NoReply(found.sentence)
     if must_open and found.trouble is not None:

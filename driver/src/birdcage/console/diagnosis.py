@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.escapes import without_escapes
 
@@ -31,7 +32,7 @@ def stranger(dialect: ConsoleDialect, standing: str) -> NoReply | None:
     """Return what to say when a dish that has never shown a known prompt shows another; None when it does not."""
     if dialect.learnt or not dialect.stranger or not looks_like_prompt(standing):
         return None
-    return NoReply(dialect.stranger.format(prompt=standing), reason="wrong_firmware")
+    return NoReply(dialect.stranger.format(prompt=standing), reason=Reason.WRONG_FIRMWARE)
 
 
 def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: bool = False) -> NoReply:
@@ -47,36 +48,36 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: boo
         return NoReply(
             f"The dish is busy with the last move: it has echoed {asked} on {port}, and not answered in "
             f"{waited_s:.1f} s. Wait until it stands still. If it then stays silent, switch it off and on.",
-            reason="busy",
+            reason=Reason.BUSY,
         )
     quoted = text if len(text) <= _QUOTED else "…" + text[-_QUOTED:]
     if not seen:
         return NoReply(
             f"The dish is silent: {asked} on {port} brought nothing in {waited_s:.1f} s. Check its power, the cable "
             "at the dish, and the baud rate. It may still be starting; a deadlocked shell needs a power cycle.",
-            reason="silent",
+            reason=Reason.SILENT,
         )
     if is_garbage(seen):
         return NoReply(
             f"What arrives on {port} cannot be read ({len(seen)} bytes after {asked}). Check the baud rate, the two "
             "wires of the receiving pair, and what is connected.",
-            reason="garbage",
+            reason=Reason.GARBAGE,
         )
     if not text or text == command:
         return NoReply(
             f"Only our own {asked} came back on {port}. The adapter hears itself, or the dish's shell is deadlocked: "
             "then only a power cycle helps.",
-            reason="echo",
+            reason=Reason.ECHO,
         )
     came_back = command in text if command else any(byte in b"\r\n" for byte in seen)
     if not came_back and looks_like_prompt(text[-1:]):
         return NoReply(
             f"The dish answered {asked} on {port} (last: `{quoted}`), but the echo is missing. Use an RS-422 adapter "
             "with all four wires: half duplex swallows the echo. Or bytes were lost.",
-            reason="blocked",
+            reason=Reason.BLOCKED,
         )
     return NoReply(
         f"The dish talks on {port}, but nothing that answers {asked} came in {waited_s:.1f} s (last: `{quoted}`). It "
         "may be starting or busy, or bytes were lost.",
-        reason="blocked",
+        reason=Reason.BLOCKED,
     )

@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 
 UNKNOWN_TOKEN = ""
@@ -31,7 +32,7 @@ class ConsoleDialect:
     """Leaves a submenu. At the root it may kill the shell until a power cycle: see `Console.leave`."""
     line_end: bytes = b"\r"
     echo: bool = True
-    refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
+    refusals: tuple[tuple[re.Pattern[str], Reason], ...] = ()
     """Reply lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
     live: re.Pattern[str] | None = None
     """What it prints by itself while its motors run: unasked, but no noise. None if it prints nothing then."""

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from birdcage.base.reason import Reason
 from birdcage.console.damage import may_become
 from birdcage.console.pace import Pace
 from birdcage.console.wire import Wire
 
 MOST_LATE = 3
 """So many lines of a stream may lack their answers; then the session finds its feet first."""
-LATE = "late"
+LATE = Reason.LATE
 """The reason of the NoReply that says that an answer is not waited for."""
 
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import KEPT, is_garbage
 from birdcage.console.escapes import without_escapes
@@ -27,10 +28,10 @@ class LineDialect:
     """What a plain line machine's wire looks like."""
 
     line_end: bytes = b"\r"
-    refusals: tuple[tuple[re.Pattern[str], str], ...] = ()
+    refusals: tuple[tuple[re.Pattern[str], Reason], ...] = ()
     """Lines that mean that nothing was done, each with the `CommandRefused` reason it stands for."""
 
-    def refusal(self, text: str) -> str | None:
+    def refusal(self, text: str) -> Reason | None:
         """Return the reason that a line stands for; None when it refuses nothing."""
         return next((reason for pattern, reason in self.refusals if pattern.search(text)), None)
 
@@ -197,21 +198,21 @@ class LineSession:
             return NoReply(
                 f"The machine is silent: `{line}` on {name} brought nothing in {waited_s:.1f} s. Check its power, the "
                 "cable, and the baud rate.",
-                reason="silent",
+                reason=Reason.SILENT,
             )
         if is_garbage(seen):
             return NoReply(
                 f"What arrives on {name} cannot be read ({len(seen)} bytes after `{line}`). Check the baud rate, the "
                 "wires of the receiving pair, and what is connected.",
-                reason="garbage",
+                reason=Reason.GARBAGE,
             )
         if text == line.strip():
             return NoReply(
                 f"Only our own `{line}` came back on {name}. The adapter hears itself, or the machine does not answer.",
-                reason="echo",
+                reason=Reason.ECHO,
             )
         return NoReply(
             f"The machine talks on {name}, but nothing that answers `{line}` came in {waited_s:.1f} s (last: "
             f"`{text[-60:]}`).",
-            reason="blocked",
+            reason=Reason.BLOCKED,
         )

@@ -9,6 +9,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 from birdcage.base.errors import CommandRefused, LinkError, NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.diagnosis import no_reply
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.late import LATE, MOST_LATE
@@ -176,13 +177,13 @@ class Console(Talker):
         if reply.menu != menu:
             raise CommandRefused(
                 f"`{reply.command}` was meant for menu `{menu}`, but the dish answered from `{reply.menu}`.",
-                reason="wrong_menu",
+                reason=Reason.WRONG_MENU,
             )
 
     def enter(self, menu: str) -> None:
         """Go to `menu`, by way of the one that it shares with where the dish is; nothing is sent when it is there."""
         if menu not in self.dialect.prompts:
-            raise CommandRefused(f"This firmware has no menu `{menu}`.", reason="wrong_menu")
+            raise CommandRefused(f"This firmware has no menu `{menu}`.", reason=Reason.WRONG_MENU)
         self._resume()
         if self.menu == menu or self._is_proven(menu):
             return
@@ -209,7 +210,7 @@ class Console(Talker):
             if now in there:
                 return now
             now = self._leave_one()
-        raise NoReply(f"The dish is still in menu `{now}`, though each above it was left.", reason="blocked")
+        raise NoReply(f"The dish is still in menu `{now}`, though each above it was left.", reason=Reason.BLOCKED)
 
     def clear_up(self) -> bool:
         """Account at once for whatever may be under way, where the console allows it; return whether it is `in_step`.

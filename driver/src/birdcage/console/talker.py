@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import no_reply, stranger
 from birdcage.console.dialect import ConsoleDialect
@@ -96,7 +97,7 @@ class Talker:
         return CommandRefused(
             f"`{line}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
             "its shell until a power cycle.",
-            reason="wrong_menu",
+            reason=Reason.WRONG_MENU,
         )
 
     def _check(self, line: str) -> None:
@@ -162,7 +163,7 @@ class Talker:
             reply = self._learner.ask(HELP, self._limit)
             menu = places.judge(reply.lines)
             if menu is None and places.is_stranger(reply.lines):
-                raise NoReply(self.dialect.stranger.format(prompt=reply.token), reason="wrong_firmware")
+                raise NoReply(self.dialect.stranger.format(prompt=reply.token), reason=Reason.WRONG_FIRMWARE)
             if menu is not None:
                 if menu == self.dialect.root:
                     places.at_root(reply.token)
@@ -171,7 +172,7 @@ class Talker:
         raise NoReply(
             f"The dish answers (prompt `{wire.token}`), but `{HELP}` does not tell which menu it is in: it is another "
             "firmware, or bytes are lost. Nothing else was sent.",
-            reason="garbage",
+            reason=Reason.GARBAGE,
         )
 
     def _go(self, menu: str) -> None:
@@ -192,7 +193,7 @@ class Talker:
                 now = menu
             self._wire.menu = now
         if now != menu:
-            raise CommandRefused(f"The dish did not go to menu `{menu}`; it is in `{now}`.", reason="wrong_menu")
+            raise CommandRefused(f"The dish did not go to menu `{menu}`; it is in `{now}`.", reason=Reason.WRONG_MENU)
 
     def _is_proven(self, menu: str) -> bool:
         """Return whether the submenu that the dish was found in is `menu`, by what only that one answers."""
@@ -217,7 +218,7 @@ class Talker:
             self._wire.trust_left(before)  # only a `q` leads there: it was carried out
         elif menu in dialect.prompts or not dialect.parents:
             self._wire.lost = True
-            raise NoReply(f"The dish answered `{dialect.leave}` but stayed in menu `{now}`.", reason="blocked")
+            raise NoReply(f"The dish answered `{dialect.leave}` but stayed in menu `{now}`.", reason=Reason.BLOCKED)
         return now
 
     def _quit(self) -> str:
@@ -269,7 +270,7 @@ class Talker:
         raise NoReply(
             f"The line to the dish does not go quiet, so `{self.dialect.leave}` was not sent: it could reach the "
             "root menu. Check the cable; a power cycle brings the dish back to its root menu.",
-            reason="garbage",
+            reason=Reason.GARBAGE,
         )
 
     def _transact(

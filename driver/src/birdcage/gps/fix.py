@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 
 LATE_S = 0.5
 """How late a report may be: receivers send it some tenths of a second after the moment that it names."""
@@ -14,7 +15,7 @@ LATE_S = 0.5
 class NoFix(BirdcageError):
     """No place by GPS; the message says what was seen. Reasons: silent, no_fix, no_gps, busy."""
 
-    reason = "no_fix"
+    reason = Reason.NO_FIX
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,6 +9,7 @@ from typing import Any
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
 from birdcage.base.wake import Wake
 from birdcage.gps.fix import GpsFix, NoFix
@@ -96,7 +97,7 @@ def read_gpsd(
     try:
         link = (open_link or opener(clock))(url, 9600)
     except LinkError as error:
-        raise NoFix(f"No {source}: start it, or name the receiver's own port.", reason="no_gps") from error
+        raise NoFix(f"No {source}: start it, or name the receiver's own port.", reason=Reason.NO_GPS) from error
     reader = GpsdReader(source)
     first: GpsFix | None = None
     try:
@@ -109,12 +110,12 @@ def read_gpsd(
                 return fix  # a second without a word of its satellites: it does not tell them
             first = first or fix
     except LinkError as error:
-        raise NoFix(f"{source} closed the connection.", reason="silent") from error
+        raise NoFix(f"{source} closed the connection.", reason=Reason.SILENT) from error
     finally:
         link.close()
     if first is not None:
         return first
-    raise NoFix(_why(reader, timeout_s), reason="no_gps" if reader.version is None else "no_fix")
+    raise NoFix(_why(reader, timeout_s), reason=Reason.NO_GPS if reader.version is None else Reason.NO_FIX)
 
 
 def _why(reader: GpsdReader, timeout_s: float) -> str:

@@ -6,6 +6,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from birdcage.base.clock import Clock
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.gps.fix import GpsFix, NoFix
 from birdcage.gps.gpsd import HOST, PORT, read_gpsd
@@ -26,7 +27,7 @@ def locate(
         host, port = _address(receiver)
         return read_gpsd(clock, host, port, timeout_s=timeout_s, open_link=open_link, wake=wake)
     if dish_port is not None and _same_port(receiver, dish_port):
-        raise NoFix(f"{receiver} is where the dish is: a receiver has a port of its own.", reason="busy")
+        raise NoFix(f"{receiver} is where the dish is: a receiver has a port of its own.", reason=Reason.BUSY)
     return read_nmea(receiver, clock, baud=baud, timeout_s=timeout_s, open_link=open_link, wake=wake)
 
 
@@ -37,7 +38,9 @@ def _address(receiver: str) -> tuple[str, int]:
         parts = urlsplit(receiver)
         return parts.hostname or HOST, parts.port or PORT
     except ValueError:
-        raise NoFix(f"{receiver}: write it as gpsd://host:port, the port from 1 to 65535.", reason="no_gps") from None
+        raise NoFix(
+            f"{receiver}: write it as gpsd://host:port, the port from 1 to 65535.", reason=Reason.NO_GPS
+        ) from None
 
 
 def _same_port(one: str, other: str) -> bool:

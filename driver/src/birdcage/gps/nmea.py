@@ -10,6 +10,7 @@ from datetime import UTC, date, datetime, time
 from typing import Any
 
 from birdcage.base.clock import Clock
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.gps.fix import GpsFix, NoFix
 from birdcage.gps.wire import Lines, OpenLink, opener
@@ -137,7 +138,7 @@ def read_nmea(
     heard = "noise" if any("sentence" in each for each in seen) else "silent"
     raise NoFix(
         f"No GPS receiver speaks NMEA at {url}: {', '.join(seen)}. Check the port (`birdcage ports`) and its speed.",
-        reason="silent" if heard == "silent" else "no_gps",
+        reason=Reason.SILENT if heard == "silent" else Reason.NO_GPS,
     )
 
 

@@ -6,6 +6,7 @@ import threading
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.port import Port
 from birdcage.link.transcript import Transcript
 
@@ -91,12 +92,12 @@ class Link:
 
     def _check_open(self) -> None:
         if self._closed:
-            raise LinkError(f"{self.name} was closed by this program; connect again to use it.", reason="lost")
+            raise LinkError(f"{self.name} was closed by this program; connect again to use it.", reason=Reason.LOST)
 
     def _lost(self, error: OSError) -> LinkError:
         self.remark(f"lost {self.name}: {error}")
         return LinkError(
             f"{self.name} is gone: unplugged or closed at the other end. A motion may still go on. Look at the "
             "dish, then plug the adapter in again.",
-            reason="lost",
+            reason=Reason.LOST,
         )

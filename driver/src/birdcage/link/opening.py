@@ -10,6 +10,7 @@ from urllib.parse import urlsplit
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.link import Link
 from birdcage.link.port import Port
 from birdcage.link.transcript import Transcript
@@ -48,7 +49,7 @@ def open_link(url: str, *, baud: int, clock: Clock, transcript: Transcript | Non
 def _open_port(url: str, baud: int, clock: Clock) -> tuple[Port, str | None]:
     """Return the open port, and what is worth a remark about it."""
     if not url:
-        raise LinkError("No port given. Name one with --port; `birdcage ports` lists them.", reason="missing")
+        raise LinkError("No port given. Name one with --port; `birdcage ports` lists them.", reason=Reason.MISSING)
     scheme = _scheme(url)
     if scheme == "socket":
         return _open_socket(url), None
@@ -95,18 +96,20 @@ def _open_registered(url: str, scheme: str, baud: int, clock: Clock) -> Port:
     if scheme not in registered:
         kinds = ["a device (/dev/ttyUSB0, COM4)", "socket://host:port", "rfc2217://host:port", "loop://"]
         kinds += [f"{name}:NAME" for name in sorted(registered)]
-        raise LinkError(f"{url}: unknown kind of port {scheme!r}. Use one of {', '.join(kinds)}.", reason="unsupported")
+        raise LinkError(
+            f"{url}: unknown kind of port {scheme!r}. Use one of {', '.join(kinds)}.", reason=Reason.UNSUPPORTED
+        )
     address = url.split(":", 1)[1]
     try:
         port: Port = registered[scheme].load()(address, clock=clock, baud=baud)
     except LinkError:
         raise
     except (ValueError, LookupError) as error:
-        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason="unsupported") from error
+        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason=Reason.UNSUPPORTED) from error
     except (ConnectionError, FileNotFoundError) as error:
-        raise LinkError(f"{url} is not there: {_sentence(error)}", reason="missing") from error
+        raise LinkError(f"{url} is not there: {_sentence(error)}", reason=Reason.MISSING) from error
     except (OSError, ImportError) as error:
-        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason="failed") from error
+        raise LinkError(f"{url} cannot be opened: {_sentence(error)}", reason=Reason.FAILED) from error
     return port
 
 
@@ -119,19 +122,19 @@ def _open_socket(url: str) -> Port:
     except ValueError:
         host = port = None
     if not host or not port:
-        raise LinkError(f"{url}: write it as socket://host:port, the port from 1 to 65535.", reason="unsupported")
+        raise LinkError(f"{url}: write it as socket://host:port, the port from 1 to 65535.", reason=Reason.UNSUPPORTED)
     try:
         return socket_port.connect(host, port, url)
     except TimeoutError as error:
         raise LinkError(
             f"{url} did not answer within {socket_port.CONNECT_TIMEOUT_S:.0f} s. "
             "Check the address, and that the serial server is on.",
-            reason="missing",
+            reason=Reason.MISSING,
         ) from error
     except OSError as error:
         raise LinkError(
             f"{url}: no connection ({error.strerror or error}). Check the address, and that the serial server listens.",
-            reason="missing",
+            reason=Reason.MISSING,
         ) from error
 
 
@@ -173,13 +176,14 @@ def _check_device(url: str, baud: int) -> None:
         return  # Opening it says what is wrong; Windows names (COM4) are no paths at all.
     if not stat.S_ISCHR(mode):
         raise LinkError(
-            f"{url} is not a serial port but {_kind(mode)}; `birdcage ports` lists the ports.", reason="unsupported"
+            f"{url} is not a serial port but {_kind(mode)}; `birdcage ports` lists the ports.",
+            reason=Reason.UNSUPPORTED,
         )
     if baud == 1200 and path.name.startswith(CDC_NAMES):
         raise LinkError(
             f"{url} is a USB CDC port: opening it at 1200 baud restarts many boards into their loader, "
             "so it is not done; give another --baud.",
-            reason="unsupported",
+            reason=Reason.UNSUPPORTED,
         )
 
 

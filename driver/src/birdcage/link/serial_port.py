@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.exclusive import let_others_in
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ class SerialPort:
             raise LinkError(
                 f"{self.name} takes no more bytes. The dish may have missed the last command: "
                 "unplug the adapter, plug it in again and reconnect.",
-                reason="failed",
+                reason=Reason.FAILED,
             ) from error
 
     def discard(self) -> None:

@@ -10,6 +10,7 @@ import select
 import socket
 
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 
 CONNECT_TIMEOUT_S = 3.0
 WRITE_TIMEOUT_S = 0.2
@@ -60,7 +61,7 @@ class SocketPort:
                     raise LinkError(
                         f"{self.name} takes no more bytes. The dish may have missed the last command: "
                         "check the network and the serial server, then reconnect.",
-                        reason="failed",
+                        reason=Reason.FAILED,
                     ) from None
 
     def discard(self) -> None:

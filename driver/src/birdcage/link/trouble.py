@@ -9,6 +9,7 @@ import re
 from pathlib import Path
 
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
 from birdcage.link.ports import list_ports
 
@@ -22,23 +23,24 @@ _FORBIDDEN = {errno.EACCES, errno.EPERM}
 def explain(url: str, baud: int, error: Exception, *, is_device: bool) -> LinkError:
     """Return the LinkError for what pyserial raised on opening `url`."""
     if isinstance(error, ValueError):
-        return LinkError(f"{url} does not open at {baud} baud: {error}.", reason="unsupported")
+        return LinkError(f"{url} does not open at {baud} baud: {error}.", reason=Reason.UNSUPPORTED)
     if not is_device:
         return LinkError(
             f"{url}: no connection ({_short(error)}). Check the address, and that the serial server listens.",
-            reason="missing" if "refused" in str(error) else "failed",
+            reason=Reason.MISSING if "refused" in str(error) else Reason.FAILED,
         )
     number = _number(error)
     if number in _MISSING:
-        return LinkError(f"{url} does not exist: {_ports_there_are()}", reason="missing")
+        return LinkError(f"{url} does not exist: {_ports_there_are()}", reason=Reason.MISSING)
     if number in _BUSY:
-        return LinkError(f"{url} is in use by {_holder(url)}: end that program first.", reason="busy")
+        return LinkError(f"{url} is in use by {_holder(url)}: end that program first.", reason=Reason.BUSY)
     if number in _FORBIDDEN:
-        return LinkError(f"No permission to open {url}: {_remedy(url)}", reason="permission")
+        return LinkError(f"No permission to open {url}: {_remedy(url)}", reason=Reason.PERMISSION)
     if number == errno.ENOTTY:
-        return LinkError(f"{url} is not a serial port. `birdcage ports` lists them.", reason="unsupported")
+        return LinkError(f"{url} is not a serial port. `birdcage ports` lists them.", reason=Reason.UNSUPPORTED)
     return LinkError(
-        f"{url} cannot be opened ({_short(error)}); unplug the adapter, plug it in again and retry.", reason="failed"
+        f"{url} cannot be opened ({_short(error)}); unplug the adapter, plug it in again and retry.",
+        reason=Reason.FAILED,
     )
 
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from birdcage.base.errors import PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
@@ -100,15 +101,15 @@ GENERIC_DIALECT = ConsoleDialect(
     root_hints=frozenset({"mot", "motor", "nvs", "os", "reboot", "stow"}),
     submenu_marks={"mot": frozenset({"a", "g"}), "motor": frozenset({"a", "g"}), "nvs": frozenset({"d", "e", "s"})},
     refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
+        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
         (
             re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
-            "bad_parameter",
+            Reason.BAD_PARAMETER,
         ),
-        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
         (
             re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
-            "failed",
+            Reason.FAILED,
         ),
     ),
 )
@@ -137,7 +138,7 @@ def position_in(lines: Iterable[str]) -> Position:
     for match in _ANGLE.finditer(" ".join(printed)):
         angles.setdefault(_LABELS[match[1] or match[3]], float(match[4]))
     if any(map(is_unhomed, angles.values())):
-        raise PositionUnknown("The dish is not homed, so it does not know where it points.", reason="unhomed")
+        raise PositionUnknown("The dish is not homed, so it does not know where it points.", reason=Reason.UNHOMED)
     plausible = all(low <= angles.get(axis, 0.0) <= high for axis, (low, high) in enumerate(_PLAUSIBLE))
     if not plausible or not {0, 1} <= set(angles):
         raise unreadable(

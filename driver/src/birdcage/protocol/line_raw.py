@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.line_session import LineSession
 from birdcage.console.line_splitter import HeardLine
 from birdcage.protocol.hazard import HazardTable
@@ -150,4 +151,4 @@ class LineTyped:
     def give_up(self) -> NoReply:
         """Return that nothing came: it does not happen, as no answer is one too."""
         self.end()
-        return NoReply("The machine did not fall quiet.", reason="blocked")
+        return NoReply("The machine did not fall quiet.", reason=Reason.BLOCKED)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.protocol.family import angle_text
@@ -39,7 +40,7 @@ if TYPE_CHECKING:
     from birdcage.link.link import Link
 
 BOOT_TIMEOUT_S = 180.0
-LIMIT_REASONS = {MOTOR_AZIMUTH: "az_limit", MOTOR_ELEVATION: "el_limit", MOTOR_SKEW: "skew_limit"}
+LIMIT_REASONS = {MOTOR_AZIMUTH: Reason.AZ_LIMIT, MOTOR_ELEVATION: Reason.EL_LIMIT, MOTOR_SKEW: Reason.SKEW_LIMIT}
 STALLED = re.compile(r"\bSTALLED\b")
 """An obstacle, which is said of the motion under way and not of the question."""
 
@@ -94,7 +95,7 @@ class FirmwareProtocol(ABC):
     def console(self) -> Console:
         """The open console; LinkError when there is none."""
         if self._console is None:
-            raise LinkError("The dish is not connected. Connect first.", reason="closed")
+            raise LinkError("The dish is not connected. Connect first.", reason=Reason.CLOSED)
         return self._console
 
     @property
@@ -184,7 +185,7 @@ class FirmwareProtocol(ABC):
         try:
             return read()
         except CommandRefused as refused:
-            if refused.reason in ("wrong_menu", "unknown_command") or refused.trouble is not None:
+            if refused.reason in (Reason.WRONG_MENU, Reason.UNKNOWN_COMMAND) or refused.trouble is not None:
                 raise
             raise unreadable(str(refused), (str(refused),)) from refused
 
@@ -205,7 +206,7 @@ class FirmwareProtocol(ABC):
         if not math.isfinite(degrees):
             raise MotionRefused(
                 f"The {axis.name} asked for is {degrees}, which is not an angle. Nothing was sent.",
-                reason="not_a_number",
+                reason=Reason.NOT_A_NUMBER,
             )
         limit = min(max(degrees, axis.min_deg), axis.max_deg)
         by = abs(degrees - limit)
@@ -335,7 +336,7 @@ class FirmwareProtocol(ABC):
         raise self._lacks("restoring its TV search")
 
     def _lacks(self, what: str) -> CommandRefused:
-        return CommandRefused(f"The {self.model.name} has no command for {what}.", reason="unsupported")
+        return CommandRefused(f"The {self.model.name} has no command for {what}.", reason=Reason.UNSUPPORTED)
 
     def interject(self, lines: tuple[str, ...]) -> None:
         """Write lines at once, from any thread, also in the middle of an exchange. For STOP only."""

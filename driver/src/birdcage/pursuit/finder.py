@@ -93,7 +93,7 @@ class Finder:
         rows = list(resolver.find(typed, MOST))
         if meant.found is not None and meant.found not in rows:
             rows.insert(0, meant.found)
-        said = meant.problem if not rows or meant.reason == "absent" else ""
+        said = meant.problem if not rows or meant.why == "absent" else ""
         return tuple(_of_candidate(each, now, observer) for each in rows[:MOST]), said
 
 

@@ -68,7 +68,7 @@ class Pointer:
             self._meant = self._finder.resolve(self.text)
         meant = self._meant
         if meant.found is None:
-            return Located(self.text, several=meant.reason == "ambiguous", problem=brief(meant))
+            return Located(self.text, several=meant.why == "ambiguous", problem=brief(meant))
         name = meant.target.name
         if observer is None:
             return Located(self.text, name, meant.exact, problem=NO_PLACE)

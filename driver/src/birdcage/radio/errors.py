@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 
 MEANINGS = {
     -1: "a value that it does not take",
@@ -25,13 +26,13 @@ class RadioLost(BirdcageError):
     Reasons: missing (nothing listens there), silent, closed, garbage.
     """
 
-    reason = "silent"
+    reason = Reason.SILENT
 
 
 class RadioRefused(BirdcageError):
     """It understood, and did not do it. `code` is the number behind RPRT."""
 
-    reason = "refused"
+    reason = Reason.REFUSED
 
     def __init__(self, command: str, code: int) -> None:
         meaning = MEANINGS.get(code, "")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.base.clock import Clock, WaitOutcome
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.link.link import Link
 from birdcage.link.opening import is_registered, open_link
@@ -31,7 +32,7 @@ def _open(address: str, clock: Clock, hurry: Wake | None) -> RadioWire:
     try:
         return LinkWire(open_link(address, baud=NO_BAUD, clock=clock), clock, hurry)
     except LinkError as error:
-        raise RadioLost(str(error), reason="missing") from error
+        raise RadioLost(str(error), reason=Reason.MISSING) from error
 
 
 class LinkWire:
@@ -45,7 +46,7 @@ class LinkWire:
         try:
             self._link.write(data)
         except LinkError as error:
-            raise RadioLost(str(error), reason="closed") from error
+            raise RadioLost(str(error), reason=Reason.CLOSED) from error
 
     def receive(self, timeout_s: float) -> bytes:
         """Return what has come within the time, or less when the program is ending."""
@@ -58,7 +59,7 @@ class LinkWire:
                 return self.receive(timeout_s)
             return self._link.read() if outcome is WaitOutcome.READY else b""
         except LinkError as error:
-            raise RadioLost(str(error), reason="closed") from error
+            raise RadioLost(str(error), reason=Reason.CLOSED) from error
 
     def close(self) -> None:
         """Hang up."""

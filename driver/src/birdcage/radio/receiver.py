@@ -9,6 +9,7 @@ from datetime import timedelta
 
 from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import RadioSettings
+from birdcage.base.reason import Reason
 from birdcage.radio import peer
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.now import RadioNow, RadioState
@@ -230,12 +231,12 @@ class Receiver:
         self._failures += 1
         self._call_at = self._clock.monotonic() + wait_s
         hint = ""
-        if first and error.reason == "silent":
+        if first and error.reason == Reason.SILENT:
             hint = f" {peer.SILENT}"
-        if first and error.reason == "closed":
+        if first and error.reason == Reason.CLOSED:
             hint = " gqrx does that to hosts that are not on its list."
         self._show(
-            state=RadioState.REFUSED if error.reason == "garbage" else RadioState.LOST,
+            state=RadioState.REFUSED if error.reason == Reason.GARBAGE else RadioState.LOST,
             sentence=f"{self._where}: {error}{hint}",
             read_back_hz=None, strength_db=None, strength_at=None, strength_read_s=None, tuned_hz=None,
             recording=self._recorder.recording,

@@ -12,6 +12,7 @@ import re
 from collections.abc import Callable
 from typing import Literal
 
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
 from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.wire import RadioWire
@@ -104,7 +105,7 @@ class RigctlClient:
             if not data:
                 return
             seen += len(data)
-        raise RadioLost("It sends unasked: that is not rigctld.", reason="garbage")
+        raise RadioLost("It sends unasked: that is not rigctld.", reason=Reason.GARBAGE)
 
     def _line(self, command: str, until: float) -> str:
         """Return the next line that is not empty."""
@@ -121,10 +122,10 @@ class RigctlClient:
             data = self._wire.receive(left_s) if left_s > 0.0 else b""
             if not data:
                 told = f", only {self._buffer[:40].decode('utf-8', 'replace')!r}" if self._buffer else ""
-                raise RadioLost(f"No answer to {command!r} within {self._reply_s:g} s{told}.", reason="silent")
+                raise RadioLost(f"No answer to {command!r} within {self._reply_s:g} s{told}.", reason=Reason.SILENT)
             self._buffer += data
 
 
 def _garbage(command: str, line: str) -> RadioLost:
     shown = "".join(each if each.isprintable() else "?" for each in line[:40])
-    return RadioLost(f"It answers {command!r} with {shown!r}: that is not rigctld.", reason="garbage")
+    return RadioLost(f"It answers {command!r} with {shown!r}: that is not rigctld.", reason=Reason.GARBAGE)

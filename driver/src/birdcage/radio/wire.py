@@ -7,6 +7,7 @@ import socket
 from collections.abc import Callable
 from typing import Protocol
 
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.radio.errors import RadioLost
 
@@ -42,7 +43,7 @@ def connector(hurry: Wake | None = None) -> Connect:
             connection = socket.create_connection((host, port), timeout_s)
         except OSError as error:
             why = error.strerror or str(error) or "no answer"
-            raise RadioLost(f"Nothing listens at {host}:{port} ({why}).", reason="missing") from error
+            raise RadioLost(f"Nothing listens at {host}:{port} ({why}).", reason=Reason.MISSING) from error
         return SocketWire(connection, hurry)
 
     return connect
@@ -79,7 +80,7 @@ class SocketWire:
         except OSError as error:
             raise _closed(error) from error
         if not data:
-            raise RadioLost("It closed the connection.", reason="closed")
+            raise RadioLost("It closed the connection.", reason=Reason.CLOSED)
         return data
 
     def close(self) -> None:
@@ -88,4 +89,4 @@ class SocketWire:
 
 
 def _closed(error: OSError) -> RadioLost:
-    return RadioLost(f"The connection broke ({error.strerror or error}).", reason="closed")
+    return RadioLost(f"The connection broke ({error.strerror or error}).", reason=Reason.CLOSED)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from birdcage.base.reason import Reason
 from birdcage.ready.check import Check
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ def radio(settings: Settings, *, try_recording: bool) -> Iterator[Check]:
         yield Check("radio", "radio", "look", str(error), "birdcage config path")
         return
     except RadioLost as error:
-        remedy = SILENT if error.reason == "silent" else f"start rigctld, SDR++ or gqrx at {address}"
+        remedy = SILENT if error.reason == Reason.SILENT else f"start rigctld, SDR++ or gqrx at {address}"
         yield Check("radio", "radio", "look", str(error), remedy)
         return
     tuned = "" if answers.frequency_hz is None else f", tuned to {answers.frequency_hz / 1e6:.10g} MHz"

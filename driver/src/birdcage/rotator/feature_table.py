@@ -9,6 +9,7 @@ from typing import Any
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
+from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, Reading, Value, by_id
 
 
@@ -93,5 +94,5 @@ def middle_of(clock: Clock, took_s: Callable[[], float]) -> Stamp:
 def lacks(name: str, feature: str, done: str) -> CommandRefused:
     """Return the error for what a machine (called `name`) has not, or not so."""
     return CommandRefused(
-        f"The {name} has no feature {feature} that can be {done}. Nothing was sent.", reason="unsupported"
+        f"The {name} has no feature {feature} that can be {done}. Nothing was sent.", reason=Reason.UNSUPPORTED
     )

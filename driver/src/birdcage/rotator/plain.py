@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
@@ -55,7 +56,7 @@ class PlainRotator:
     printed_deg = 0.01
 
     def _lacks(self, what: str) -> CommandRefused:
-        return CommandRefused(f"The {self.facts.name} has no {what}. Nothing was sent.", reason="unsupported")
+        return CommandRefused(f"The {self.facts.name} has no {what}. Nothing was sent.", reason=Reason.UNSUPPORTED)
 
     def begin(self, tell: Callable[[str], None]) -> None:
         """It is ready as soon as it is open."""

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from birdcage.base.errors import NoReply, PositionUnknown
+from birdcage.base.reason import Reason
 
 T = TypeVar("T")
 
@@ -13,7 +14,7 @@ T = TypeVar("T")
 class UnreadablePosition(NoReply):
     """An answer to the question for the position that is no position. `printed` is what the machine said."""
 
-    reason = "garbage"
+    reason = Reason.GARBAGE
 
     def __init__(self, message: str, printed: Iterable[str], *, unhomed: bool = False) -> None:
         """Take in what was said; `unhomed`: whether that says in words that the machine is not homed."""
@@ -43,5 +44,5 @@ def settled(read: Callable[[], T]) -> T:
         if not again.repeats(first):
             raise
         if again.unhomed:
-            raise PositionUnknown(f"The dish reports that it is not homed. {again}", reason="unhomed") from again
-        raise PositionUnknown(f"The position reply can't be read. {again}", reason="unreadable") from again
+            raise PositionUnknown(f"The dish reports that it is not homed. {again}", reason=Reason.UNHOMED) from again
+        raise PositionUnknown(f"The position reply can't be read. {again}", reason=Reason.UNREADABLE) from again

@@ -7,6 +7,7 @@ from types import MappingProxyType
 
 from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
+from birdcage.base.reason import Reason
 from birdcage.setup.case import Cause
 from birdcage.setup.context import SetupContext
 from birdcage.setup.receiver import AskReceiver, ask_receiver
@@ -144,7 +145,7 @@ class Setup:
         dish and `clear` was not called; other BirdcageErrors from the file or the step itself. Nothing was begun then.
         """
         if self.busy:
-            raise NoSuchChoice(f"Wait: {self.busy}.", reason="busy")
+            raise NoSuchChoice(f"Wait: {self.busy}.", reason=Reason.BUSY)
         chosen = self._choice(self._known(step), choice)
         unknown = set(values) - {field.name for field in chosen.fields}
         if unknown:
@@ -176,7 +177,7 @@ class Setup:
         """Leave a step out, and go on. One that is done stays done."""
         chosen = self._known(step)
         if chosen.busy:
-            raise NoSuchChoice(f"Wait: {chosen.busy}.", reason="busy")
+            raise NoSuchChoice(f"Wait: {chosen.busy}.", reason=Reason.BUSY)
         if chosen.mark in _OPEN:
             self._bench.skipped(step)
             chosen.failure = ""

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 from birdcage.base.config import PlaceSettings
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.setup.context import SetupContext
 from birdcage.setup.steps.base import Step
 from birdcage.sky.magnetic import declination_deg
@@ -24,7 +25,7 @@ EARLIEST = datetime(2025, 1, 1, tzinfo=UTC)
 class NotYet(BirdcageError):
     """North can't be set this way now; the message says what is missing."""
 
-    reason = "not_yet"
+    reason = Reason.NOT_YET
 
 
 def az_offset_deg(true_az_deg: float, dish_az_deg: float) -> float:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from birdcage.base.errors import BirdcageError, MotionRefused
+from birdcage.base.reason import Reason
 
 NAMES = ("link", "dish", "search", "home", "feed", "limits", "direction", "level", "place", "north", "first")
 """The steps, in order."""
@@ -14,13 +15,13 @@ NAMES = ("link", "dish", "search", "home", "feed", "limits", "direction", "level
 class AreaNotClear(MotionRefused):
     """Nothing that moves is taken before a person has said that the area is clear."""
 
-    reason = "area"
+    reason = Reason.AREA
 
 
 class NoSuchChoice(BirdcageError):
     """What was answered is not among the choices, or what was typed can't be used; the message says what can."""
 
-    reason = "choice"
+    reason = Reason.CHOICE
 
 
 class Mark(Enum):

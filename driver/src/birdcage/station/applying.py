@@ -9,6 +9,7 @@ from birdcage.antenna.az_el import MOST_MISSED_DEG
 from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.mover import Mover
 from birdcage.station.settings import Rules, rules_from
@@ -20,11 +21,11 @@ from birdcage.station.stopper import Stopper
 def refuse_while_moving(store: StateStore, antenna: BirdcageAntenna, so: str) -> None:
     """Raise BirdcageError (`moving`) while the dish moves; `so` is what is not done meanwhile."""
     if antenna.motion is not None or store.state.activity in MOVING:
-        raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason="moving")
+        raise BirdcageError(f"{so} while the dish moves. Wait until it rests, or stop it.", reason=Reason.MOVING)
     if store.state.raw_motion:
         raise BirdcageError(
             f"{so}: a raw line may have set the dish in motion. Give the console back, or STOP.",
-            reason="moving",
+            reason=Reason.MOVING,
         )
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.az_el import AzEl
 from birdcage.base.errors import BirdcageError, LinkError, NoReply
+from birdcage.base.reason import Reason
 from birdcage.rotator.hooks import Hooks
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import LinkChanged
@@ -145,12 +146,12 @@ class Connection:
         self._forget()
         now, link = self._store.clock.monotonic(), self._store.state.link
         self.due = now + SILENT_RETRY_S
-        is_busy = link.state is LinkPhase.SILENT and link.reason == "busy" and now < link.since + BUSY_S
-        if not (is_busy and silence.reason in ("silent", "echo")):
+        is_busy = link.state is LinkPhase.SILENT and link.reason is Reason.BUSY and now < link.since + BUSY_S
+        if not (is_busy and silence.reason in (Reason.SILENT, Reason.ECHO)):
             self._set(LinkPhase.SILENT, str(silence), silence.reason)
 
     def _forget(self) -> None:
-        self._reader.forget(self._store.state.position_lost or "link")
+        self._reader.forget(self._store.state.position_lost or Reason.LINK)
         booting = self._store.state.activity is Activity.INITIALIZING
         self._store.change(activity=Activity.INITIALIZING if booting else Activity.UNKNOWN, menu=None)
 
@@ -161,7 +162,7 @@ class Connection:
         link = replace(link, last_reply=line.last_reply, round_trip_s=line.round_trip_s, stray_bytes=line.stray_bytes)
         self._store.change(link=link, menu=line.place)
 
-    def _retry_later(self, state: LinkPhase, detail: str, reason: str = "") -> None:
+    def _retry_later(self, state: LinkPhase, detail: str, reason: Reason | None = None) -> None:
         if not self._settings.reconnect:
             self.due = None
         else:
@@ -169,7 +170,7 @@ class Connection:
             self._retry_s = min(self._retry_s * 2, LONGEST_RETRY_S)
         self._set(state, detail, reason)
 
-    def _set(self, state: LinkPhase, detail: str, reason: str = "") -> None:
+    def _set(self, state: LinkPhase, detail: str, reason: Reason | None = None) -> None:
         at, utc = self._store.stamp()
         before = self._store.state.link
         since = before.since if before.state is state else at

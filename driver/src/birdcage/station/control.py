@@ -6,7 +6,8 @@ from dataclasses import replace
 from datetime import datetime
 
 from birdcage.base.errors import Held, LeaseDenied, MotionRefused
-from birdcage.base.held import HeldNote
+from birdcage.base.held import HeldNote, HeldReason
+from birdcage.base.reason import Reason
 from birdcage.station.events import HeldChanged, LeaseChanged
 from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.state import HeldState
@@ -67,9 +68,9 @@ class Control:
                 "`birdcage release` lets it move again."
             )
         if state.motion_refused_because is not None:
-            raise MotionRefused(state.motion_refused_because, reason="settings")
+            raise MotionRefused(state.motion_refused_because, reason=Reason.SETTINGS)
         if state.fault is not None:
-            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason="fault")
+            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason=Reason.FAULT)
 
     def announce(self, holder: str, az_deg: float, el_deg: float) -> None:
         """While it is held, say who would move first after the release, and where to; it changes as time goes on."""
@@ -84,23 +85,25 @@ class Control:
             return
         self.latched = True
         at, _ = self._store.stamp()
-        self._tell_held(HeldState(note.by, at, note.utc, note.reason, earlier=True, damage=note.damage))
+        self._tell_held(
+            HeldState(note.by, at, note.utc, note.reason, earlier=True, damage=note.damage, detail=note.detail)
+        )
 
-    def hold(self, by: str, reason: str, *, keep: bool = True) -> None:
+    def hold(self, by: str, reason: HeldReason, *, detail: str = "", keep: bool = True) -> None:
         """Latch, and take the lease away from whoever has it. `keep`: also for the programs that come after."""
         self.latched = True
         at, utc = self._store.stamp()
-        if self._store.state.held is None or reason == "stop":
-            self._tell_held(HeldState(by, at, utc, reason))
+        if self._store.state.held is None or reason is HeldReason.STOP:
+            self._tell_held(HeldState(by, at, utc, reason, detail=detail))
             if keep:
-                self.keep(by, utc, reason)
+                self.keep(by, utc, reason, detail)
         if self._store.state.holder is not None:
             self._pass_to(None)
 
-    def keep(self, by: str, utc: datetime, reason: str) -> None:
+    def keep(self, by: str, utc: datetime, reason: HeldReason, detail: str = "") -> None:
         """Let HELD outlive this program. Any thread; never waits for the disk."""
         if self._keeper is not None:
-            self._keeper.latch(HeldNote(by, utc, reason, self._store.state.port))
+            self._keeper.latch(HeldNote(by, utc, reason, self._store.state.port, detail=detail))
 
     def expect_another_dish(self) -> None:
         """What answers next may be another dish. HELD holds there too; a release then leaves the first one held."""

@@ -10,6 +10,8 @@ from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.reckoning import FRESH_S, apart_deg
 from birdcage.antenna.rest import APART_S, STILL_DEG
 from birdcage.base.errors import BirdcageError, CommandRefused, Stopped
+from birdcage.base.held import CLOCK_STEP, HeldReason
+from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
@@ -19,7 +21,7 @@ from birdcage.station.events import End, FaultRaised, TranscriptLine
 from birdcage.station.mover import Mover
 from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
-from birdcage.station.state import Activity, Fault, LinkPhase, Pointing, TvSearch
+from birdcage.station.state import Activity, Fault, FaultReason, LinkPhase, Pointing, TvSearch
 from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
 from birdcage.station.watches import Watches
@@ -28,7 +30,7 @@ CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
 """At rest a reading repeats to a hundredth; this much is motion."""
 UNASKED_POLL_S = 0.2
-LESS_THAN_A_FAILED_HOMING = ("reboot", "unhomed")
+LESS_THAN_A_FAILED_HOMING = (FaultReason.REBOOT, FaultReason.UNHOMED)
 """Faults that say less than that an axis failed to home, which takes their place."""
 
 
@@ -57,8 +59,8 @@ class DishMonitor:
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._rested: Pointing | None = None
         """Where the dish was first seen at rest since it last moved: it may also creep from one reading to the next."""
-        self.on_interrupted: Callable[[str], None] = lambda _reason: None
-        """Told before the latch closes: `link`, `fault` or `clock`."""
+        self.on_interrupted: Callable[[HeldReason], None] = lambda _reason: None
+        """Told before the latch closes."""
         self.on_restart: Callable[[], None] = lambda: None
         """Told when the dish was heard to start: nothing that was counted before holds."""
         self._starting = Starting(store, antenna, mover)
@@ -200,7 +202,7 @@ class DishMonitor:
         if self._store.state.fault is not None and self._store.state.search is TvSearch.RUNNING:
             return  # it was told that the dish has restarted, and that it searches then
         self.raise_fault(
-            "moved", "The dish moves unasked",
+            FaultReason.MOVED, "The dish moves unasked",
             "Its own TV search, another program, a hand or the wind may move it.",
             "Keep clear. Press Space to stop it. If it goes on, cut its power.",
         )  # fmt: skip
@@ -231,12 +233,12 @@ class DishMonitor:
         self._raise_stall(blocked("", sentence))
 
     def _raise_stall(self, fault: MotorFault) -> None:
-        self.raise_fault("stall", fault.what, fault.meaning, fault.remedy)
+        self.raise_fault(FaultReason.STALL, fault.what, fault.meaning, fault.remedy)
 
     def slow(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
         self.raise_fault(
-            "speed", "The dish did not restore its speed", f"The dish moves slower than planned. {sentence}",
+            FaultReason.SPEED, "The dish did not restore its speed", f"The dish moves slower than planned. {sentence}",
             "Set its speed, or switch it off and on to restore its own.",
         )  # fmt: skip
 
@@ -244,20 +246,20 @@ class DishMonitor:
         """Homing was lost without boot text: as after a dip of the supply."""
         self._antenna.motion = None
         self._reader.forget_survey()
-        self.interrupted("fault")
+        self.interrupted(HeldReason.FAULT)
         self.raise_fault(
-            "unhomed", "The dish no longer knows where it points",
+            FaultReason.UNHOMED, "The dish no longer knows where it points",
             "It was homed a moment ago. Its power dipped, or it restarted silently.",
             "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
         )  # fmt: skip
 
-    def raise_fault(self, reason: str, what: str, meaning: str, remedy: str) -> None:
+    def raise_fault(self, reason: FaultReason, what: str, meaning: str, remedy: str) -> None:
         """Stop asking for motion, and say so until a person acknowledges."""
         at, utc = self._store.stamp()
         fault = Fault(reason, what, meaning, remedy, utc)
         self._store.change(fault=fault)
         self._store.tell(FaultRaised(at, utc, fault))
-        self._control.hold("birdcage", "fault")
+        self._control.hold("birdcage", HeldReason.FAULT)
 
     def on_line(self, line: str) -> None:
         """Hear an unsolicited line."""
@@ -282,13 +284,13 @@ class DishMonitor:
         fault = self._store.state.fault
         if not self._met:
             self._mover.activity(Activity.INITIALIZING, line.strip())
-        elif fault is None or fault.reason != "reboot":
-            self.forget("reboot")
-            self.interrupted("fault")
+        elif fault is None or fault.reason is not FaultReason.REBOOT:
+            self.forget(Reason.REBOOT)
+            self.interrupted(HeldReason.FAULT)
             self._starting.ended()
             if fault is None or not self._failed_to_home:
                 self.raise_fault(
-                    "reboot", f"The dish has restarted: {line.strip()!r}",
+                    FaultReason.REBOOT, f"The dish has restarted: {line.strip()!r}",
                     "It homes by itself or must be homed, and may start its TV search.",
                     "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
                 )  # fmt: skip
@@ -298,9 +300,9 @@ class DishMonitor:
         """End what moves, and raise the fault."""
         found = motor_fault(trouble, self._antenna.rotator.facts)
         fault, motion = self._store.state.fault, self._antenna.motion
-        self._mover.fail(End.FAULT, found.what, Stopped(found.what, reason="stall"))
+        self._mover.fail(End.FAULT, found.what, Stopped(found.what, reason=Reason.STALL))
         if motion is not None and motion.silent:
-            self._stopper.call("birdcage", "fault")  # the other axis is still on its way
+            self._stopper.call("birdcage", HeldReason.FAULT)  # the other axis is still on its way
             self._stopper.take_calls()
         else:
             self._antenna.motion = None  # STOP must not send it to its target once more
@@ -328,7 +330,7 @@ class DishMonitor:
             self.hear_trouble(trouble)
         return trouble is not None
 
-    def forget(self, reason: str) -> None:
+    def forget(self, reason: Reason) -> None:
         """Drop what is known of the position."""
         # A dish that starts finds its references, or says that it has none.
         self._antenna.gate.released.clear()
@@ -342,16 +344,18 @@ class DishMonitor:
         self._met, self._doubted = False, None
         self._mover.forget_target()
         self._control.expect_another_dish()
-        self.forget("link")
+        self.forget(Reason.LINK)
 
-    def interrupted(self, reason: str) -> None:
+    def interrupted(self, reason: HeldReason) -> None:
         """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
         state = self._store.state
         moving = self._mover.is_moving or state.activity is Activity.FOLLOWING
         holder = state.holder
         self.on_interrupted(reason)
         self._mover.fail(
-            End.STOPPED, f"interrupted: {reason}", Stopped(f"The motion was cancelled: {reason}.", reason=reason)
+            End.STOPPED,
+            f"interrupted: {reason}",
+            Stopped(f"The motion was cancelled: {reason}.", reason=Reason(reason.value)),
         )
         self._watches.end_excursion()
         self._antenna.strategy.lose_track(self._store.clock)
@@ -369,15 +373,15 @@ class DishMonitor:
         step_s, self._offset_s = offset_s - self._offset_s, offset_s
         if abs(step_s) <= CLOCK_STEP_S:
             return
-        reason = f"suspend or clock step of {step_s:+.0f} s"
-        self.on_interrupted("clock")
-        self._reader.forget("clock")
+        detail = f"{CLOCK_STEP} of {step_s:+.0f} s"
+        self.on_interrupted(HeldReason.CLOCK)
+        self._reader.forget(Reason.CLOCK)
         self.look_again()
         self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was cancelled."))
         if self._antenna.motion is not None:
-            self._stopper.call("birdcage", reason)
+            self._stopper.call("birdcage", HeldReason.CLOCK, detail=detail)
             self._stopper.take_calls()
-        self._control.hold("birdcage", reason)
+        self._control.hold("birdcage", HeldReason.CLOCK, detail=detail)
 
     def _clock_offset_s(self) -> float:
         clock = self._store.clock

@@ -15,6 +15,7 @@ from birdcage.antenna.rest import STILL_DEG
 from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, OutOfRange, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.base.reason import Reason
 from birdcage.rotator import values
 from birdcage.rotator.facts import CableTurn, Facts, SearchSwitch
 from birdcage.rotator.feature import RSSI, Reading, speed_of
@@ -47,9 +48,9 @@ class DishReader:
         self._store.change(surveyed=False)
         self.note_speeds({})
 
-    def forget(self, why: str) -> None:
+    def forget(self, why: Reason) -> None:
         """The position and the turn of the cable no longer hold; `why` is for the state."""
-        self._antenna.gate.forget("unread")
+        self._antenna.gate.forget(Reason.UNREAD)
         self._store.change(position_lost=why, position_text="", turn=self._turn())
         if self._antenna.rotator.facts.search_switch is SearchSwitch.UNTIL_POWER_UP:
             # It may have been without power meanwhile, and then it searches again.
@@ -57,9 +58,9 @@ class DishReader:
 
     def unknown(self, unknown: PositionUnknown) -> None:
         """The dish does not know where it points."""
-        homed = False if unknown.reason == "unhomed" else None
+        homed = False if unknown.reason == Reason.UNHOMED else None
         forgot = homed is False and self._store.state.homed is True
-        said = str(unknown) if unknown.reason == "unreadable" else ""
+        said = str(unknown) if unknown.reason == Reason.UNREADABLE else ""
         self._store.change(
             homed=homed, position=None, position_lost=unknown.reason, position_text=said, turn=self._turn()
         )
@@ -199,7 +200,7 @@ class DishReader:
         try:
             survey = self._antenna.rotator.survey()
         except CommandRefused as refused:
-            if refused.reason == "wrong_menu":
+            if refused.reason == Reason.WRONG_MENU:
                 raise
             survey = Survey()  # this dish does not tell: its model's limits hold
         self._store.forget_readings()

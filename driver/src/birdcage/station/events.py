@@ -159,3 +159,5 @@ class ActivityChanged(Event):
 
     activity: Activity
     text: str
+    raw: bool = False
+    """Whether a raw line may have set the dish in motion."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from birdcage.base import errors
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, FeatureKind, Range, Reading
 
 Values = dict[str, object]
@@ -57,4 +58,9 @@ def error_of(told: Mapping[str, object]) -> BirdcageError:
     kind = getattr(errors, str(told.get("kind")), BirdcageError)
     if not (isinstance(kind, type) and issubclass(kind, BirdcageError)):
         kind = BirdcageError
-    return kind(str(told.get("sentence")), reason=str(told.get("reason")))
+    return kind(str(told.get("sentence")), reason=_reason_of(told.get("reason")))
+
+
+def _reason_of(word: object) -> Reason | None:
+    """Return the reason of that value; None, the kind's own, for one that a newer program told."""
+    return next((reason for reason in Reason if reason.value == word), None)

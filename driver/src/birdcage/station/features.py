@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
+from birdcage.base.reason import Reason
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.control import Control
@@ -78,7 +79,7 @@ class FeatureHandler:
             raise CommandRefused(
                 f"The {dish} has no feature {name} that can be {done}. Nothing was sent. `birdcage features` lists "
                 "what it has.",
-                reason="unsupported",
+                reason=Reason.UNSUPPORTED,
             )
         return feature
 

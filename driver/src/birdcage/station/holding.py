@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from datetime import datetime
 
 from birdcage.base.errors import BirdcageError
-from birdcage.base.held import FILE, HeldFile, HeldNote
+from birdcage.base.held import FILE, HeldFile, HeldNote, HeldReason
 from birdcage.base.paths import Paths
 from birdcage.link.identity import FOLDER, dish_folder, dish_identity
 from birdcage.link.ports import PortLister, list_ports
@@ -58,7 +58,7 @@ def hold(paths: Paths, port: str, by: str, utc: datetime, ports: PortLister = li
             f"{port} is not there, or is a simulator inside one program: there is no dish to hold. "
             "`birdcage ports` lists the ports."
         )
-    file, note = HeldFile(dish_folder(paths.state, identity)), HeldNote(by, utc, "stop", port)
+    file, note = HeldFile(dish_folder(paths.state, identity)), HeldNote(by, utc, HeldReason.STOP, port)
     try:
         file.write(note)
     except OSError as error:

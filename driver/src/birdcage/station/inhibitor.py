@@ -14,7 +14,7 @@ from typing import Protocol
 
 from birdcage.station.events import ActivityChanged, Event, PursuitChanged
 from birdcage.station.pursuit_state import Phase
-from birdcage.station.state import MOVING, RAW_COMMAND, Activity, LinkPhase
+from birdcage.station.state import MOVING, LinkPhase
 from birdcage.station.station import Station
 
 AFTER_S = 10.0
@@ -108,7 +108,7 @@ class SleepInhibitor:
         if isinstance(event, PursuitChanged):
             self._pursues = event.pursuit.phase is not Phase.OVER
         elif isinstance(event, ActivityChanged):
-            self._raw = event.activity is Activity.UNKNOWN and event.text == RAW_COMMAND
+            self._raw = event.raw
             self._moves = self._raw or event.activity in MOVING
         else:
             return

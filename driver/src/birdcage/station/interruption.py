@@ -6,15 +6,16 @@ from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.held import HeldReason
 from birdcage.station.state import Activity, LinkPhase, StationState
 
 AS_BEFORE_DEG = 0.5
 """How far it may stand from where its last motion led."""
 
 SENTENCES = {
-    "link": "Link lost: the dish stays still.",
-    "fault": "The dish no longer knows where it points. It stays still.",
-    "clock": "The clock stepped, or the computer slept. The dish stays still.",
+    HeldReason.LINK: "Link lost: the dish stays still.",
+    HeldReason.FAULT: "The dish no longer knows where it points. It stays still.",
+    HeldReason.CLOCK: "The clock stepped, or the computer slept. The dish stays still.",
 }
 
 
@@ -22,8 +23,7 @@ SENTENCES = {
 class Interruption:
     """One of them."""
 
-    reason: str
-    """`link`, `fault` or `clock`."""
+    reason: HeldReason
     at: float
     """Monotonic seconds."""
     stops: int
@@ -35,7 +35,9 @@ class Interruption:
     """On which turn of the cable that is; None if it was not known."""
 
     @classmethod
-    def now(cls, reason: str, at: float, stops: int, state: StationState, antenna: BirdcageAntenna) -> Interruption:
+    def now(
+        cls, reason: HeldReason, at: float, stops: int, state: StationState, antenna: BirdcageAntenna
+    ) -> Interruption:
         """Note how the dish is left."""
         motion, here, cable = antenna.motion, state.position, antenna.gate.cable_deg
         rest = None if here is None else (here.dish_az_deg, here.dish_el_deg)
@@ -50,7 +52,7 @@ class Interruption:
     def is_as_before(self, state: StationState, within_s: float) -> bool:
         """Return whether the gap was short, and the dish is seen at rest where it must be."""
         here, link, rest_az, rest_el = state.position, state.link, self.rest_az_deg, self.rest_el_deg
-        if self.reason != "link" or link.state is not LinkPhase.UP or link.since - self.at > within_s:
+        if self.reason is not HeldReason.LINK or link.state is not LinkPhase.UP or link.since - self.at > within_s:
             return False
         if state.fault is not None or not state.homed or state.activity is not Activity.IDLE:
             return False

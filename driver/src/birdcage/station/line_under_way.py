@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, NoReply, Stopped
+from birdcage.base.reason import Reason
 from birdcage.rotator.raw import RawAnswer, RawExchange, RawLines
 from birdcage.rotator.verdict import Verdict
 from birdcage.station.dish_reader import DishReader
@@ -89,7 +90,7 @@ class LineUnderWay:
         if line is None:
             return
         if line.verdict.takes_s > 0 and not line.verdict.streams and self._store.clock.monotonic() < line.typed.due:
-            raise CommandRefused(f"The dish is still at `{line.text}`. Wait, or STOP.", reason="busy")
+            raise CommandRefused(f"The dish is still at `{line.text}`. Wait, or STOP.", reason=Reason.BUSY)
         self.finish()
 
     def finish(self) -> None:
@@ -120,7 +121,7 @@ class LineUnderWay:
             except LinkError as error:
                 line.future.set_exception(error)
                 return
-        line.future.set_exception(Stopped("The station has ended.", reason="closing"))
+        line.future.set_exception(Stopped("The station has ended.", reason=Reason.CLOSING))
 
     def homing_ends(self) -> None:
         """Whatever keeps the shell busy with homing is over: STOP gets through again."""
@@ -150,7 +151,7 @@ class LineUnderWay:
         self._line = None
         self.homing_ends()
         line.future.set_exception(
-            error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason="closing")
+            error if isinstance(error, BirdcageError) else Stopped("The station has failed.", reason=Reason.CLOSING)
         )
 
     def _answered(self, line: SentLine, answer: RawAnswer, *, by_key: bool = False) -> None:

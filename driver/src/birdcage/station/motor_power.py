@@ -7,6 +7,7 @@ from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
+from birdcage.base.reason import Reason
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.control import Control
 from birdcage.station.dish_reader import DishReader
@@ -48,7 +49,7 @@ class MotorPower:
         self._antenna.maintenance.release_motors(permit=permit)
         self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
         self._antenna.motion = None
-        self._reader.unknown(PositionUnknown("The motors were released.", reason="released"))
+        self._reader.unknown(PositionUnknown("The motors were released.", reason=Reason.RELEASED))
         self._mover.activity(Activity.IDLE, "")
         self._stopper.motors_were_released()
 
@@ -64,13 +65,15 @@ class MotorPower:
         """Fold the dish flat. The future resolves with where it came to rest; nothing is known to stop it."""
         model, state = self._antenna.rotator.facts, self._store.state
         if not model.has_stow:
-            raise MotionRefused(f"The {model.name} has no command to stow. Nothing was sent.", reason="unsupported")
+            raise MotionRefused(
+                f"The {model.name} has no command to stow. Nothing was sent.", reason=Reason.UNSUPPORTED
+            )
         if not state.stow_allowed:
             feed = f"the feed {state.feed_name!r}" if state.feed_name else "this feed"
             raise MotionRefused(
                 f"With {feed} the dish must not fold flat: it could be crushed. Nothing was sent. If the feed fits, "
                 "set stow_allowed in its section of birdcage.toml.",
-                reason="feed",
+                reason=Reason.FEED,
             )
         self._control.admit(holder)
         self._wire_free()
@@ -81,7 +84,7 @@ class MotorPower:
                 reason=self._antenna.gate.unknown_reason,
             )
         self._mover.activity(Activity.STOWING, "")
-        self._store.change(position_lost="stowing")
+        self._store.change(position_lost=Reason.STOWING)
         self._stopper.homing = True
         try:
             self._antenna.maintenance.stow()
@@ -102,9 +105,9 @@ class MotorPower:
         if state.holder not in (None, holder):
             raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is free.")
         if not rotator.facts.has_speeds:
-            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason="unsupported")
+            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason=Reason.UNSUPPORTED)
         if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
-            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason="unsupported")
+            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason=Reason.UNSUPPORTED)
         self._wire_free()
         refuse_while_moving(self._store, self._antenna, "No speed is set")
         speed_deg_s = self._reader.set_speed(motor, speed_deg_s)

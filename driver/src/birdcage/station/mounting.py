@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import speed_of
 from birdcage.rotator.own import with_speeds
@@ -22,7 +23,7 @@ def mount_of(state: StationState, settings: Settings) -> Mount:
     BirdcageError (`unknown`) for a state without a dish, which no station has.
     """
     if state.dish is None:
-        raise BirdcageError("The dish is not known yet. Choose its firmware first.", reason="unknown")
+        raise BirdcageError("The dish is not known yet. Choose its firmware first.", reason=Reason.UNKNOWN)
     offset_deg = state.alignment.el_offset_deg
     return Mount(
         _in_force(state.dish, state),

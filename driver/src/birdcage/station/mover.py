@@ -13,6 +13,7 @@ from birdcage.antenna.motion import AGAINST_DEG_S
 from birdcage.antenna.strategy.strategy import StopPower
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation, shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Position
 from birdcage.station.dish_reader import DishReader
@@ -36,7 +37,7 @@ UNTAKEN_S = 0.3
 BUSY = "busy with the last move"
 """What is told of a dish that waits for a motor before it takes another command."""
 
-DAMAGE = ("garbage", "blocked")
+DAMAGE = (Reason.GARBAGE, Reason.BLOCKED)
 """Reasons of an answer that came, and made no sense."""
 
 
@@ -76,6 +77,8 @@ class Mover(ABC):
         self.target: tuple[float, float] | None = None
         """The last direction that was commanded (true), from which a jog steps."""
         self._last_follow: tuple[str, float] | None = None
+        self._is_busy = False
+        """Whether the dish was told to wait for a motor, and has not answered since."""
         self.on_stall: Callable[[str], None] = lambda _sentence: None
         """Told when the dish stands still away from its target."""
         self.on_astray: Callable[[], None] = lambda: None
@@ -87,6 +90,7 @@ class Mover(ABC):
         if self._job is not None and shown is not None and self._store.state.activity is Activity.SLEWING:
             # STOP is not read either before that motor stands.
             self._store.change(motion=replace(shown, stop_means=StopMeans.NONE, stop_power_s=None, rests_at=None))
+            self._is_busy = True
             self.activity(Activity.SLEWING, BUSY)
 
     @property
@@ -110,7 +114,9 @@ class Mover(ABC):
         """Turn the skew to `job.skew_deg`. MotionRefused where that can't be done."""
         assert job.skew_deg is not None, "this is a motion of the skew"
         self.check_skew(job.skew_deg)
-        raise MotionRefused("The skew of this dish can't be turned from here. Nothing was sent.", reason="unsupported")
+        raise MotionRefused(
+            "The skew of this dish can't be turned from here. Nothing was sent.", reason=Reason.UNSUPPORTED
+        )
 
     def await_rest(self, job: Job) -> None:
         """Follow a motion of the firmware's own until the dish rests."""
@@ -153,7 +159,8 @@ class Mover(ABC):
         if self._job is not job:
             return None  # STOP was taken in the middle of the exchange
         job.damaged = False
-        if self._store.state.activity_text == BUSY:
+        if self._is_busy:
+            self._is_busy = False
             self.activity(Activity.SLEWING, "")
         now = self._store.clock.monotonic()
         self.due = now + POLL_S
@@ -251,7 +258,7 @@ class Mover(ABC):
 
     def stuck(self, sentence: str) -> None:
         """The dish does not get to its target: end the motion and raise the fault."""
-        self.fail(End.FAULT, sentence, Stopped(sentence, reason="stall"))
+        self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.STALL))
         self._antenna.motion = None  # STOP must not send it to its target once more
         self.on_stall(sentence)
 
@@ -288,12 +295,12 @@ class Mover(ABC):
             if not job.future.done():
                 job.future.set_exception(error)
 
-    def activity(self, activity: Activity, text: str) -> None:
-        """Say what the dish is doing."""
+    def activity(self, activity: Activity, text: str, *, raw: bool = False) -> None:
+        """Say what the dish is doing; `raw`: a raw line may have set it in motion."""
         state = self._store.state
-        if state.activity is activity and state.activity_text == text:
+        if state.activity is activity and state.activity_text == text and state.raw_motion is raw:
             return
         at, utc = self._store.stamp()
         since = state.activity_since if state.activity is activity else at
-        self._store.change(activity=activity, activity_text=text, activity_since=since)
-        self._store.tell(ActivityChanged(at, utc, activity, text))
+        self._store.change(activity=activity, activity_text=text, activity_since=since, raw_motion=raw)
+        self._store.tell(ActivityChanged(at, utc, activity, text, raw))

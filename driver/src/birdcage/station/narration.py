@@ -70,7 +70,7 @@ def words_of(event: Event) -> str:
             sure = {True: "confirmed", False: "NOT confirmed", None: "neither confirmed nor not"}[report.confirmed]
             return f"STOP {sure}. {report.sentence}"
         case HeldChanged(held=held):
-            return "released" if held is None else f"held by {held.by} ({held.reason})"
+            return "released" if held is None else f"held by {held.by} ({held.why})"
         case LeaseChanged():
             return f"control: {event.holder or 'free'}, before {event.previous or 'free'}"
         case FaultRaised(fault=fault):

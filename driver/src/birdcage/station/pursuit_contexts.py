@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.config import Settings
 from birdcage.base.errors import MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.rotator.own import with_speeds
 from birdcage.station.state_store import StateStore
 
@@ -24,9 +25,9 @@ def refuse(plan: Plan, now_s: float) -> None:
     """Raise MotionRefused for a plan by which nothing can be followed: `unreachable`, `over`."""
     if plan.course is None or not plan.legs:
         why = plan.notes[0] if plan.notes else f"{plan.aim.name} is out of this dish's reach."
-        raise MotionRefused(f"{why} Nothing was sent.", reason="unreachable")
+        raise MotionRefused(f"{why} Nothing was sent.", reason=Reason.UNREACHABLE)
     if plan.legs[-1].end_s <= now_s:
-        raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason="over")
+        raise MotionRefused(f"This pass of {plan.aim.name} is over. Nothing was sent.", reason=Reason.OVER)
 
 
 def context_for(

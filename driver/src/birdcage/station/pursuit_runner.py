@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, LinkError, MotionRefused, Stopped
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.station import pursuit_words as words
 from birdcage.station.control import Control
 from birdcage.station.dish_reader import DishReader
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
 
 POLL_S = 0.2
 """How often a pursuit that cannot go on looks whether it can."""
+ENDED = "The pursuit was ended."
 QUIET = (Phase.WAITING, Phase.YIELDED)
 """Where nothing of the pursuit's moves, nor is about to."""
 
@@ -86,7 +89,8 @@ class PursuitRunner:
             self._renew(request.plan)
             return live.number
         if (link := self._store.state.link).state is not LinkPhase.UP:
-            raise LinkError(f"No link to the dish, so nothing is followed ({link.detail}).", reason=link.state.value)
+            no_link = f"No link to the dish, so nothing is followed ({link.detail})."
+            raise LinkError(no_link, reason=Reason(link.state.value))
         context, name = context_for(request, self._store, self._antenna, self._hear)
         self._antenna.gate.require_position()
         self._control.refuse(request.holder)
@@ -199,25 +203,25 @@ class PursuitRunner:
             return True
         if not self._control.latched or held is None:
             return False
-        if held.reason != "stop" and live.phase is Phase.INTERRUPTED:
+        if held.reason is not HeldReason.STOP and live.phase is Phase.INTERRUPTED:
             return False
-        if held.reason not in ("stop", "fault"):
+        if held.reason not in (HeldReason.STOP, HeldReason.FAULT):
             # While it waited: a latch that closes for what became of somebody else's motion.
-            self._interrupt("link" if held.reason == "link" else "clock", live)
+            self._interrupt(held.reason, live)
             return False
         self._over(words.held(held, self._store.state.fault))
         return True
 
-    def interrupted(self, reason: str) -> None:
+    def interrupted(self, reason: HeldReason) -> None:
         """The dish is out of sight, has restarted, or the clock has stepped: it stays still. Sends nothing."""
         live = self._live
-        if reason == "fault":
+        if reason is HeldReason.FAULT:
             self._runner.speeds.forget()
-        if live is None or live.phase is Phase.INTERRUPTED or (reason == "link" and live.phase in QUIET):
+        if live is None or live.phase is Phase.INTERRUPTED or (reason is HeldReason.LINK and live.phase in QUIET):
             return
         self._interrupt(reason, live)
 
-    def _interrupt(self, reason: str, live: Pursuit) -> None:
+    def _interrupt(self, reason: HeldReason, live: Pursuit) -> None:
         state, now = self._store.state, self._store.clock.monotonic()
         self._interruption = Interruption.now(reason, now, self._stopper.count, state, self._antenna)
         self._drop()
@@ -230,8 +234,6 @@ class PursuitRunner:
         if self._runner.speeds.are_changed and self._store.state.link.state is LinkPhase.UP:
             with suppress(BirdcageError):
                 self._runner.speeds.restore()
-
-    # One run of the activity
 
     def _set_out(self, *, asked: bool) -> None:
         """Begin, or go on: the activity joins the plan at this moment."""
@@ -265,7 +267,7 @@ class PursuitRunner:
             try:
                 answer = runner.carry_out()
             except MotionRefused as refused:
-                if refused.reason != "sector" or not runner.looks_anew():
+                if refused.reason != Reason.SECTOR or not runner.looks_anew():
                     raise
                 return
         except MotionRefused as refused:
@@ -273,7 +275,7 @@ class PursuitRunner:
                 self._over(str(refused))
             return
         except (CommandRefused, Stopped) as error:
-            if self._run is run and error.reason not in ("stall", "closing") and not self._control.latched:
+            if self._run is run and error.reason not in (Reason.STALL, Reason.CLOSING) and not self._control.latched:
                 self._over(str(error))
                 return
             raise
@@ -286,7 +288,7 @@ class PursuitRunner:
     def _may_talk(self, live: Pursuit) -> bool:
         """Return whether the pursuit's next words may go out; else it is in another phase now."""
         if self._store.state.link.state is not LinkPhase.UP:
-            self.interrupted("link")
+            self.interrupted(HeldReason.LINK)
             return False
         if self._store.state.holder not in (None, live.holder):
             self._yield(live)
@@ -349,8 +351,6 @@ class PursuitRunner:
             self._interruption = None
             self._set_out(asked=False)
 
-    # What is told
-
     def _hear(self, notice: StageNotice) -> None:
         """The activity enters a stage."""
         live = self._live
@@ -363,8 +363,6 @@ class PursuitRunner:
             self._mover.activity(Activity.FOLLOWING, "")
         elif streamed:
             self._settle()
-
-    # How it ends
 
     def _drop(self) -> None:
         """Drop the run of the activity; what it has sent goes on."""
@@ -394,7 +392,6 @@ class PursuitRunner:
         if self._antenna.strategy.ends_soon(self._store.clock):
             self._settle()
             return
-        sentence = "The pursuit was ended."
-        self._mover.fail(End.STOPPED, sentence, Stopped(sentence))
+        self._mover.fail(End.STOPPED, ENDED, Stopped(ENDED))
         self._antenna.strategy.end_motion(self._store.clock)
         self._settle()

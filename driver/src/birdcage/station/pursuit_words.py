@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from birdcage.base.held import HeldReason
 from birdcage.station.interruption import SENTENCES
 from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.state import Fault, HeldState
@@ -28,19 +29,19 @@ def yielded(holder: str | None) -> str:
 
 def held(held: HeldState, fault: Fault | None) -> str:
     """STOP, or something that went wrong."""
-    if held.reason == "stop":
+    if held.reason is HeldReason.STOP:
         return f"STOP by {held.by}."
-    return f"{fault.what}." if fault is not None else f"The dish was stopped: {held.reason}."
+    return f"{fault.what}." if fault is not None else f"The dish was stopped: {held.why}."
 
 
-def interrupted(reason: str, options: PursuitOptions) -> str:
+def interrupted(reason: HeldReason, options: PursuitOptions) -> str:
     """What broke in, and what would make it go on."""
-    if reason == "link" and options.resume:
+    if reason is HeldReason.LINK and options.resume:
         return (
             f"{SENTENCES[reason]} It resumes by itself if the link is back within {options.resume_within_s:g} s "
             "and the dish has not changed. Otherwise release it."
         )
-    return f"{SENTENCES.get(reason, SENTENCES['clock'])} Release it to resume while the pass lasts."
+    return f"{SENTENCES.get(reason, SENTENCES[HeldReason.CLOCK])} Release it to resume while the pass lasts."
 
 
 def as_steered(why: str, phase: Phase, controller: str) -> str:

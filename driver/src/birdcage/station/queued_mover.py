@@ -10,6 +10,7 @@ from birdcage.antenna.legs import Leg
 from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown, Stopped, Superseded
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import StopMeans
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
@@ -58,7 +59,7 @@ class QueuedMover(Mover):
         if (self._job is not None and self._job.skew_deg is None) or (under_way is not None and under_way.skew is None):
             raise MotionRefused(
                 "The skew is not turned while the dish moves. Wait until it rests, or stop it. Nothing was sent.",
-                reason="moving",
+                reason=Reason.MOVING,
             )
 
     def turn_skew(self, job: Job) -> None:
@@ -188,7 +189,7 @@ class QueuedMover(Mover):
 
     def _astray(self) -> None:
         sentence = "The dish still moves after the end of its motion."
-        self.fail(End.FAULT, sentence, Stopped(sentence, reason="moved"))
+        self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.MOVED))
         self._antenna.motion = None
         self.on_astray()
 

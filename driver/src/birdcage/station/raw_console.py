@@ -12,6 +12,7 @@ from dataclasses import replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.raw_limits import limited
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
+from birdcage.base.reason import Reason
 from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station import requests as ask
@@ -52,7 +53,7 @@ class RawConsole:
     @property
     def _raw(self) -> RawLines:
         if (raw := self._antenna.raw) is None:
-            raise CommandRefused("This machine has no console. Nothing was sent.", reason="unsupported")
+            raise CommandRefused("This machine has no console. Nothing was sent.", reason=Reason.UNSUPPORTED)
         return raw
 
     def judge(self, line: str) -> Verdict:
@@ -155,12 +156,14 @@ class RawConsole:
         """Take the lease and the wire; return the menu that the dish is in, where it has any."""
         link, state = self._store.state.link, self._store.state
         if link.state is not LinkPhase.UP:
-            raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
+            raise LinkError(
+                f"No link to the dish, so nothing is sent ({link.detail}).", reason=Reason(link.state.value)
+            )
         busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING)
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
                 "birdcage is moving the dish and must hear it. Wait until it rests, or STOP. Nothing was sent.",
-                reason="moving",
+                reason=Reason.MOVING,
             )
         self._control.take(holder)
         self.begin(holder)
@@ -171,11 +174,13 @@ class RawConsole:
 
     def _refuse_unsendable(self, line: str) -> None:
         if not (line.isascii() and line.isprintable()):
-            raise CommandRefused("A console line holds printable ASCII only. Nothing was sent.", reason="bad_parameter")
+            raise CommandRefused(
+                "A console line holds printable ASCII only. Nothing was sent.", reason=Reason.BAD_PARAMETER
+            )
         if len(line) > LONGEST_LINE:
             raise CommandRefused(
                 f"A console line holds {LONGEST_LINE} characters at most, not {len(line)}. Nothing was sent.",
-                reason="bad_parameter",
+                reason=Reason.BAD_PARAMETER,
             )
 
     def _admitted(self, request: ask.Raw) -> Verdict:

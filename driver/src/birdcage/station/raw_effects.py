@@ -6,12 +6,13 @@ from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
+from birdcage.base.reason import Reason
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
 from birdcage.station.raw_mark import RawMark
-from birdcage.station.state import RAW_COMMAND, Activity, TvSearch
+from birdcage.station.state import Activity, TvSearch
 from birdcage.station.state_store import StateStore
 
 
@@ -109,7 +110,7 @@ class RawEffects:
     def _may_move(self) -> None:
         self.moved = True
         self._mover.forget_target()
-        self._mover.activity(Activity.UNKNOWN, RAW_COMMAND)
+        self._mover.activity(Activity.UNKNOWN, Reason.RAW_COMMAND.value, raw=True)
 
     def _forget(self, verdict: Verdict) -> None:
         forgets, gate = verdict.forgets, self._antenna.gate
@@ -117,11 +118,11 @@ class RawEffects:
             self._may_move()
         if "position" in forgets:
             cable_deg, remembers = gate.cable_deg, gate.remembers_cable
-            gate.forget("raw")
+            gate.forget(Reason.RAW_COMMAND)
             if "turn" not in forgets:
                 gate.cable_deg, gate.remembers_cable = cable_deg, remembers
             turn = gate.model.turn if gate.cable_deg is None else self._store.state.turn
-            self._store.change(position_lost=RAW_COMMAND, turn=turn)
+            self._store.change(position_lost=Reason.RAW_COMMAND, turn=turn)
         if "homed" in forgets:
             if not verdict.homes:
                 self._homed.clear()
@@ -130,7 +131,7 @@ class RawEffects:
                 gate.released.clear()  # a dish that starts finds its references, or says that it has none
             elif not verdict.homes:
                 gate.release()  # what it reports from now on may not be where it is
-                self._store.change(position_lost=RAW_COMMAND)
+                self._store.change(position_lost=Reason.RAW_COMMAND)
         if "search" in forgets:
             self._store.change(search=TvSearch.UNKNOWN)
         self.resurvey = self.resurvey or bool(forgets & {"limits", "search", "settings"})

@@ -47,7 +47,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "held": held is not None,
         "held_by": held.by or None if held else None,
         "held_since": held.utc.isoformat(timespec="seconds") if held and held.utc else None,
-        "held_reason": held.reason if held else None,
+        "held_reason": held.why if held else None,
         "held_trouble": state.held_trouble or (held.damage if held else "") or None,
         "fault": state.fault.what if state.fault else None,
         "motion_refused_because": state.motion_refused_because or (dish.no_direction if dish else "") or None,

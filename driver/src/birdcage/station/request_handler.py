@@ -7,6 +7,7 @@ from concurrent.futures import Future
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
+from birdcage.base.reason import Reason
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
 from birdcage.station.control import Control
@@ -125,7 +126,7 @@ class RequestHandler:
 
     def ending(self) -> tuple[End, str, BirdcageError]:
         """Return how motions end when the station does."""
-        return End.STOPPED, "the station ends", Stopped("The station has ended.", reason="closing")
+        return End.STOPPED, "the station ends", Stopped("The station has ended.", reason=Reason.CLOSING)
 
     def _ready(self, holder: str) -> None:
         self._control.admit(holder)
@@ -139,7 +140,9 @@ class RequestHandler:
     def _free_wire(self) -> None:
         link = self._store.state.link
         if link.state is not LinkPhase.UP:
-            raise LinkError(f"No link to the dish, so nothing is sent ({link.detail}).", reason=link.state.value)
+            raise LinkError(
+                f"No link to the dish, so nothing is sent ({link.detail}).", reason=Reason(link.state.value)
+            )
         self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
@@ -207,10 +210,10 @@ class RequestHandler:
                 if self._store.state.awaits_first_move:
                     raise MotionRefused(
                         "This dish does not tell where it points, so no step is sent. Send it to an azimuth and an "
-                        "elevation first. Nothing was sent.", reason="untold",
+                        "elevation first. Nothing was sent.", reason=Reason.UNTOLD,
                     )  # fmt: skip
                 raise MotionRefused(
-                    "The position is unknown, so no step is sent. Wait until it is read.", reason="unread"
+                    "The position is unknown, so no step is sent. Wait until it is read.", reason=Reason.UNREAD
                 )
             base = position.az_deg, position.el_deg
         return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
@@ -218,15 +221,15 @@ class RequestHandler:
     def _home(self, request: ask.Home) -> None:
         rotator = self._antenna.rotator
         if rotator.facts.no_homing:
-            raise MotionRefused(f"{rotator.facts.no_homing} Nothing was sent.", reason="unsupported")
+            raise MotionRefused(f"{rotator.facts.no_homing} Nothing was sent.", reason=Reason.UNSUPPORTED)
         axes = (rotator.facts.azimuth.index, rotator.facts.elevation.index)
         if not set(request.axes) <= set(axes):
-            raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason="unsupported")
+            raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason=Reason.UNSUPPORTED)
         self._ready(request.holder)
         self._pursuits.by_hand(request.holder)
         self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
         self._antenna.motion = None
-        self._store.change(homed=None, position=None, position_lost="homing")
+        self._store.change(homed=None, position=None, position_lost=Reason.HOMING)
         self._stopper.homing = True
         try:
             for motor in request.axes or axes:

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, Stopped
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.detection.clues import known_tokens
 from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw, probe
@@ -45,7 +46,7 @@ class Rewire:
         self._refuse_while_moving("The port is not probed")
         port = self._connection.find()
         if port is None:
-            raise LinkError(f"{self._store.state.port} is not there: plug it in.", reason="missing")
+            raise LinkError(f"{self._store.state.port} is not there: plug it in.", reason=Reason.MISSING)
         present = self._connection.baud
         rates = dict.fromkeys((present, *(bauds or USUAL_BAUDS))) if has_speed(port) else (present,)
         self._connection.let_go()
@@ -101,7 +102,7 @@ class Rewire:
 
     def _refuse_while_moving(self, so: str) -> None:
         if self._is_moving():
-            raise BirdcageError(f"{so} while the dish moves: STOP would not reach it meanwhile.", reason="moving")
+            raise BirdcageError(f"{so} while the dish moves: STOP would not reach it meanwhile.", reason=Reason.MOVING)
 
     def _is_moving(self) -> bool:
         state, motion = self._store.state, self._antenna.motion

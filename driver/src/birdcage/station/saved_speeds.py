@@ -9,6 +9,7 @@ from pathlib import Path
 
 from birdcage.base.errors import MotionRefused
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
 
@@ -41,7 +42,7 @@ class SavedSpeeds:
             raise MotionRefused(
                 f"{self._path} cannot be written ({error.strerror or error}). It must hold the motors' own speeds, "
                 "so they were not changed. Another controller changes none.",
-                reason="controller",
+                reason=Reason.CONTROLLER,
             ) from error
 
     def clear(self) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfigError, NoReply, StoreError
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
@@ -37,7 +38,7 @@ class SearchControl:
         if self._until_power_up and not disabled:
             why = f"The {facts.name} has no command that begins its TV search: it begins by itself at power-up."
         if why is not None:
-            raise CommandRefused(f"{why} Nothing was sent.", reason="unsupported")
+            raise CommandRefused(f"{why} Nothing was sent.", reason=Reason.UNSUPPORTED)
         if self._until_power_up and self._store.state.activity is not Activity.MOVING_UNASKED:
             refuse_while_moving(self._store, self._antenna, "The search is not ended")
 

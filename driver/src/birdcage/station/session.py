@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.link.transcript import Transcript
 from birdcage.link.transcript_line import TranscriptEntry
 from birdcage.station.state import Pointing
@@ -109,7 +110,7 @@ class Session:
                 return
 
 
-def farewell(position: Pointing | None, lost: str | None, reach: StopReach | None) -> str:
+def farewell(position: Pointing | None, lost: Reason | None, reach: StopReach | None) -> str:
     """Say where the dish is left; `reach` tells what became of STOP, None when there was nothing to stop."""
     if position is None or lost is not None:
         where = "The dish's position is not known."

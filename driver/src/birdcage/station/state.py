@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime
-from enum import Enum
+from enum import Enum, StrEnum
 from types import MappingProxyType
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.gate import UNTOLD
 from birdcage.base.beam import Beam
 from birdcage.base.config.sections import NoGoSector
-from birdcage.base.held import HeldNote
+from birdcage.base.held import HeldNote, HeldReason
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
@@ -72,8 +73,19 @@ class LimitSource(Enum):
     """`birdcage.toml` narrows it."""
 
 
-RAW_COMMAND = "raw command"
-"""Why something is not known any more: a person typed past the station."""
+class FaultReason(StrEnum):
+    """What is wrong with the dish."""
+
+    STALL = "stall"
+    """An axis does not turn, or did not find its reference."""
+    SPEED = "speed"
+    """It did not take its own speed back."""
+    UNHOMED = "unhomed"
+    """It no longer knows where it points, and no boot text was heard."""
+    MOVED = "moved"
+    """It moves though nothing was sent."""
+    REBOOT = "reboot"
+    """It has restarted."""
 
 
 class TvSearch(Enum):
@@ -99,8 +111,8 @@ class LinkState:
     round_trip_s: float | None = None
     detail: str = ""
     """A sentence for a person; while lost, what is being tried."""
-    reason: str = ""
-    """The word of the error that made it silent or lost: `silent`, `garbage`, `wrong_firmware`, `missing`, …"""
+    reason: Reason | None = None
+    """Why it is silent or lost; None while it is neither."""
     stray_bytes: int = 0
     """Bytes of line noise since the link came up."""
 
@@ -186,8 +198,7 @@ class HeldState:
     """Monotonic seconds since when this program knows."""
     utc: datetime | None
     """When it was latched; None if that is not known."""
-    reason: str
-    """`stop`, `link`, `suspend`, `clock step`, `fault`, `restart`."""
+    reason: HeldReason
     next_holder: str | None = None
     """Who would move first after release, and where to."""
     next_az_deg: float | None = None
@@ -198,18 +209,29 @@ class HeldState:
     """Whether an earlier program latched it, which has ended since."""
     damage: str = ""
     """Why who and when are not known, as a sentence; empty normally."""
+    detail: str = ""
+    """More about the reason, in words; empty for nothing."""
 
     @property
     def sentence(self) -> str:
         """Who holds it, since when and why."""
-        return HeldNote(self.by, self.utc, self.reason, damage=self.damage).sentence
+        return self._note.sentence
+
+    @property
+    def why(self) -> str:
+        """The reason in words."""
+        return self._note.why
+
+    @property
+    def _note(self) -> HeldNote:
+        return HeldNote(self.by, self.utc, self.reason, damage=self.damage, detail=self.detail)
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
     """Shown until acknowledged."""
 
-    reason: str
+    reason: FaultReason
     what: str
     meaning: str
     remedy: str
@@ -238,8 +260,8 @@ class StationState:
     dish: Facts | None = None
     firmware_version: str | None = None
     position: Pointing | None = None
-    position_lost: str | None = None
-    """Why the last position no longer holds (`released`, `unhomed`, `unreadable`, `raw command`), else None."""
+    position_lost: Reason | None = None
+    """Why the last position no longer holds; None while it does."""
     position_text: str = ""
     """What the dish said instead of where it is, in a sentence; empty if that was not asked or needs no words."""
     target_az_deg: float | None = None
@@ -252,6 +274,8 @@ class StationState:
     activity_since: float = 0.0
     activity_text: str = ""
     """More about it: a boot line, the axis being homed."""
+    raw_motion: bool = False
+    """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
     holder: str | None = None
     held: HeldState | None = None
     held_trouble: str = ""
@@ -302,9 +326,4 @@ class StationState:
     @property
     def awaits_first_move(self) -> bool:
         """Whether this dish does not tell where it points, and was not sent anywhere yet: a full direction may be."""
-        return self.position_lost == UNTOLD
-
-    @property
-    def raw_motion(self) -> bool:
-        """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
-        return self.activity is Activity.UNKNOWN and self.activity_text == RAW_COMMAND
+        return self.position_lost is UNTOLD

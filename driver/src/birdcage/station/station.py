@@ -14,6 +14,8 @@ from birdcage.antenna.config import AntennaConfig
 from birdcage.antenna.odometer import AxisWay
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, LinkError, NoReply, Stopped
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.rotator import machines
 from birdcage.rotator.hooks import Hooks
@@ -326,12 +328,12 @@ class Station:
         except BirdcageError as error:
             self._fail(future, error)
             self._monitor.hear_refusal(error)
-            if isinstance(error, NoReply) and error.reason != "no_row":
-                self._monitor.interrupted("link")
+            if isinstance(error, NoReply) and error.reason != Reason.NO_ROW:
+                self._monitor.interrupted(HeldReason.LINK)
                 self._connection.silent(error)
         except BaseException:
             if not future.done():
-                future.set_exception(Stopped("The station has failed.", reason="closing"))
+                future.set_exception(Stopped("The station has failed.", reason=Reason.CLOSING))
             raise
         finally:
             self._note()
@@ -353,13 +355,13 @@ class Station:
             if self._monitor.hear_refusal(silence):
                 return
             # No answer, or one that makes no sense here: find out where the console is.
-            self._monitor.interrupted("link")
+            self._monitor.interrupted(HeldReason.LINK)
             self._connection.silent(silence)
         finally:
             self._note()
 
     def _link_gone(self, error: LinkError) -> None:
-        self._monitor.interrupted("link")
+        self._monitor.interrupted(HeldReason.LINK)
         self._connection.lost(error)
 
     def _note(self) -> None:
@@ -377,7 +379,7 @@ class Station:
         """Notice what happened in the middle of an exchange; end it when the station ends."""
         self._notice()
         if self._closing.is_set() and not self._shutting:
-            raise Stopped("The station ends.", reason="closing")
+            raise Stopped("The station ends.", reason=Reason.CLOSING)
 
     def _permit(self) -> None:
         """Keep a line that moves the dish from going out once STOP is latched."""
@@ -393,4 +395,4 @@ class Station:
             except IndexError:  # empty, perhaps by another thread that drops it too
                 return
             if future.set_running_or_notify_cancel():
-                future.set_exception(Stopped("The station has ended.", reason="closing"))
+                future.set_exception(Stopped("The station has ended.", reason=Reason.CLOSING))

@@ -10,6 +10,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
@@ -28,7 +29,6 @@ ROUNDING_DEG = 0.1
 (`docs/reference/consoles.md`, *Overshoot*)."""
 MOST_UNSURE = 3
 """So many answers in a row that tell nothing make one look whether the dish moves."""
-LATE = "late"
 MOST_LATE = 3
 """So many answers in a row that were not waited for count as one that was lost."""
 ON_ITS_WAY_S = 0.15
@@ -190,12 +190,12 @@ class StepRunner:
         try:
             self._antenna.steer(step.axis, deg)
         except MotionRefused as refused:
-            if not step.beyond or refused.reason != "sector":
+            if not step.beyond or refused.reason != Reason.SECTOR:
                 raise
             return StepResult(self.now_s)
         except (CommandRefused, NoReply) as error:
             self._bear(error)
-            if error.reason == LATE and not elevation:
+            if error.reason is Reason.LATE and not elevation:
                 self._az_deg = deg
             if not queues:
                 return StepResult(self.now_s)
@@ -254,7 +254,7 @@ class StepRunner:
         here = self._reader.position()  # slower than modelled, perhaps: then nothing is to wait behind it
         self._ends_at = self._store.clock.monotonic()
         if here is None:
-            raise PositionUnknown(LOST, reason="unhomed")
+            raise PositionUnknown(LOST, reason=Reason.UNHOMED)
         return not self._lags(here, motion)
 
     def _lags(self, here: Pointing, motion: DishMotion) -> bool:
@@ -298,7 +298,7 @@ class StepRunner:
         az_deg, el_deg = motion.rest
         if max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg)) > ARRIVED_DEG:
             said = " / ".join(sorted({answer.said for answer in self._antenna.commands.answers.values()}))
-            raise Stopped(f"The dish answers {said!r} to its commands, and does not move.", reason="not_taken")
+            raise Stopped(f"The dish answers {said!r} to its commands, and does not move.", reason=Reason.NOT_TAKEN)
 
     def _show(self) -> None:
         """Show where it was sent, and what stops it."""
@@ -322,7 +322,7 @@ class StepRunner:
 
     def _bear(self, error: BirdcageError) -> None:
         """Bear a lost or damaged answer, for a line that is otherwise sound has them too."""
-        if error.reason == LATE and self._late < MOST_LATE:
+        if error.reason is Reason.LATE and self._late < MOST_LATE:
             self._late += 1
             return
         self._lost, self._late = self._lost + 1, 0
@@ -386,7 +386,7 @@ class StepRunner:
         if self._store.state.activity is Activity.FOLLOWING:
             self._show()
         if pointing is None:
-            raise PositionUnknown(LOST, reason="unhomed")
+            raise PositionUnknown(LOST, reason=Reason.UNHOMED)
         self._see_it_follow(pointing)
         now_s = self.now_s
         az_deg = self.unrolled(pointing.dish_az_deg)

@@ -13,6 +13,8 @@ from dataclasses import replace
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unplanned
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import MoveKind, StopMeans
 from birdcage.station.control import Control
 from birdcage.station.dish_reader import DishReader
@@ -30,8 +32,6 @@ POLL_S = 0.05
 READINGS = 4
 """So many exchanges it takes at most until two positions that can be believed agree."""
 RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
-
-
 UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
 BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing"}
 LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
@@ -48,7 +48,7 @@ class Stopper:
     ) -> None:
         self._store, self._antenna, self._control = store, antenna, control
         self._mover, self._reader = mover, reader
-        self._calls: deque[tuple[StopReport, StopAction, str]] = deque()
+        self._calls: deque[tuple[StopReport, StopAction, HeldReason, str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
@@ -69,7 +69,7 @@ class Stopper:
         """Whether the dish is still being followed to its rest."""
         return self._pending is not None
 
-    def call(self, by: str, reason: str = "stop", *, leaving: bool = False) -> None:
+    def call(self, by: str, reason: HeldReason = HeldReason.STOP, *, detail: str = "", leaving: bool = False) -> None:
         """Latch, and write the first bytes. Any thread; never waits for the dish, or for a disk.
 
         A program that is `leaving` stops what moves; it does not hold the dish for those that come after.
@@ -88,9 +88,9 @@ class Stopper:
             except LinkError as error:
                 done = StopAction(StopMeans.NO_LINK, f"Nothing could be sent: cut the power of the dish. {error}")
             self.reach = self._reach(done)
-            self._calls.append((StopReport(by, now, done.means, None, done.sentence), action, reason))
+            self._calls.append((StopReport(by, now, done.means, None, done.sentence), action, reason, detail))
             if not leaving:
-                self._control.keep(by, self._store.clock.utc(), reason)
+                self._control.keep(by, self._store.clock.utc(), reason, detail)
 
     def _action(self) -> StopAction:
         """Return what to do at once, by what is known of the dish."""
@@ -136,9 +136,9 @@ class Stopper:
     def take_calls(self) -> None:
         """Publish the STOPs that were called since, on the station's thread."""
         while self._calls:
-            report, action, reason = self._calls.popleft()
+            report, action, reason, detail = self._calls.popleft()
             order, shown = action.order, self._store.state.motion
-            self._control.hold(report.by, reason, keep=False)  # the call has done that
+            self._control.hold(report.by, reason, detail=detail, keep=False)  # the call has done that
             self._mover.fail(
                 End.STOPPED, f"STOP by {report.by}", Stopped(f"STOP by {report.by}: the motion was given up.")
             )
@@ -373,7 +373,7 @@ class Stopper:
     def _release(self, pending: PendingStop) -> None:
         """Climb the last rung: only if the user enabled it."""
         self._antenna.maintenance.release_motors()
-        self._reader.unknown(PositionUnknown("STOP released the motors.", reason="released"))
+        self._reader.unknown(PositionUnknown("STOP released the motors.", reason=Reason.RELEASED))
         pending.report = replace(pending.report, means=StopMeans.RELEASE, confirmed=None)
         self._finish(pending, None, "The motors were released. The dish's position is not known: home it.")
 

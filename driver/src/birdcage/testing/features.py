@@ -9,6 +9,7 @@ from functools import partial
 
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
+from birdcage.base.reason import Reason
 from birdcage.rotator import machines
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, WELL_FORMED, Feature, FeatureKind, Reading, Value, Writer
@@ -192,7 +193,7 @@ class FeatureContract:
             for each in stage.facts.features.values():
                 if each.is_readable and not each.cost.while_moving:
                     error = stage.refused(Read((each.id,)), BirdcageError, within_s=STEP_S * 2.0)
-                    require(error.reason == "moving", f"reading {each.id} in motion: {error.reason}, {error}")
+                    require(error.reason == Reason.MOVING, f"reading {each.id} in motion: {error.reason}, {error}")
             stage.refused(Read((LACKING,)), CommandRefused, within_s=STEP_S * 2.0)
             stage.until(future.done, 240.0, "it arrived")
             future.result(0)

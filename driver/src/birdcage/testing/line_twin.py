@@ -8,6 +8,7 @@ from collections import deque
 
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.link import Link
 from birdcage.testing.twin import Twin
 
@@ -56,7 +57,7 @@ class LineTwin(Twin):
     def dial(self, address: str, baud: int) -> Link:  # noqa: ARG002
         """Open a line; LinkError while it is unplugged."""
         if not self._plugged:
-            raise LinkError(f"{address} is not plugged in.", reason="missing")
+            raise LinkError(f"{address} is not plugged in.", reason=Reason.MISSING)
         self._line = _TwinLine(self, address)
         return Link(self._line, self.clock)
 
@@ -120,4 +121,4 @@ class _TwinLine:
 
     def _check(self) -> None:
         if not self._open:
-            raise LinkError(f"{self.name} is gone.", reason="lost")
+            raise LinkError(f"{self.name} is gone.", reason=Reason.LOST)

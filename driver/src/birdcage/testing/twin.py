@@ -9,6 +9,7 @@ from typing import Any
 
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.link import Link
 from birdcage.rotator.rotator import Rotator
 
@@ -67,7 +68,7 @@ class Twin(ABC):
 
     def dial(self, address: str, baud: int) -> Link:  # noqa: ARG002 - for machines that speak over bytes
         """Open a line of bytes to it. LinkError where there is none."""
-        raise LinkError(f"{address} has no line of bytes.", reason="missing")
+        raise LinkError(f"{address} has no line of bytes.", reason=Reason.MISSING)
 
     def is_wrecked(self) -> bool:
         """Return whether a byte that must never be sent has reached it: the root prompt's `q`, say."""

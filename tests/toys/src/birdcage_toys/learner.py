@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from birdcage.base.clock import WaitOutcome
 from birdcage.base.errors import LinkError, NoReply
+from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
@@ -59,13 +60,13 @@ class Learner(PlainRotator):
     @property
     def clock(self):
         if self._clock is None:
-            raise LinkError("Learner is not open.", reason="lost")
+            raise LinkError("Learner is not open.", reason=Reason.LOST)
         return self._clock
 
     def open(self, address, baud, clock, hooks):
         machine = MACHINES.get(address)
         if machine is None or not machine.plugged:
-            raise LinkError(f"There is no Learner at {address}.", reason="missing")
+            raise LinkError(f"There is no Learner at {address}.", reason=Reason.MISSING)
         self._machine, self._clock, self._hooks, self._stops = machine, clock, hooks, 0
         self.line, self.is_simulated = PlainLine(hooks.delay_s), True
 
@@ -85,11 +86,11 @@ class Learner(PlainRotator):
                     permit()
                 result = function(*given)
         except ConnectionError as gone:
-            raise LinkError("Learner is gone.", reason="lost") from gone
+            raise LinkError("Learner is gone.", reason=Reason.LOST) from gone
         except TimeoutError as silence:
             self._pause(asked + self.line.delay_s)
             self.line.note_silence()
-            raise NoReply("Learner is silent.", reason="silent") from silence
+            raise NoReply("Learner is silent.", reason=Reason.SILENT) from silence
         self._pause(asked + 0.02)
         self.line.note(asked, clock.monotonic())
         return result
@@ -119,18 +120,18 @@ class Learner(PlainRotator):
         with self._writing:
             machine = self._machine
             if machine is None or not machine.plugged:
-                raise LinkError("Learner is gone.", reason="lost")
+                raise LinkError("Learner is gone.", reason=Reason.LOST)
             self._stops += machine.halt()
 
     def settle(self, within_s):
         done, self._stops = self._stops, 0
         self._pause(self.clock.monotonic() + (0.02 if done else within_s))
         if not done:
-            raise NoReply("Learner did not answer STOP.", reason="silent")
+            raise NoReply("Learner did not answer STOP.", reason=Reason.SILENT)
         return (None,) * done
 
     def listen(self, until):
         if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
         if not self._machine.plugged:
-            raise LinkError("Learner is gone.", reason="lost")
+            raise LinkError("Learner is gone.", reason=Reason.LOST)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 
 from birdcage.base.errors import LinkError, NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.line_session import LineDialect, LineSession
 from birdcage.link.opening import open_link
 from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
@@ -85,7 +86,7 @@ class Pushy(PlainRotator):
 
     def _open_session(self):
         if self._session is None:
-            raise LinkError("Pushy is not open.", reason="lost")
+            raise LinkError("Pushy is not open.", reason=Reason.LOST)
         return self._session
 
     def open(self, address, baud, clock, hooks):
@@ -120,7 +121,7 @@ class Pushy(PlainRotator):
         while self._told_at <= asked:
             if not session.listen(asked + self.line.delay_s):
                 self.line.note_silence()
-                raise NoReply("Pushy says nothing.", reason="silent")
+                raise NoReply("Pushy says nothing.", reason=Reason.SILENT)
         self.line.note(asked, session.clock.monotonic())
         return self._told
 
@@ -150,7 +151,7 @@ class Pushy(PlainRotator):
         while self._stops:
             if not session.listen(until):
                 self._stops = 0
-                raise NoReply("Pushy did not answer STOP.", reason="silent")
+                raise NoReply("Pushy did not answer STOP.", reason=Reason.SILENT)
         return (None,) * due
 
     def listen(self, until):

@@ -6,6 +6,7 @@ import math
 from collections import deque
 
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.link import Link
 from birdcage.testing import SeenCommand, Truth, Twin
 
@@ -51,7 +52,7 @@ class PushyTwin(Twin):
 
     def dial(self, address, baud):
         if not self.plugged:
-            raise LinkError("pushy is not plugged in", reason="missing")
+            raise LinkError("pushy is not plugged in", reason=Reason.MISSING)
         self._push_at, self._buffer = self.clock.monotonic() + EVERY_S, b""
         self._out.clear()
         return Link(self, self.clock)

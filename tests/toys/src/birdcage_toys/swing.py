@@ -14,6 +14,7 @@ from math import asin, atan2, cos, degrees, radians, sin
 
 from birdcage.base.clock import WaitOutcome
 from birdcage.base.errors import LinkError, NoReply, PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, Rung, StopMeans
@@ -119,13 +120,13 @@ class Swing(PlainRotator):
     @property
     def clock(self):
         if self._clock is None:
-            raise LinkError("Swing is not open.", reason="lost")
+            raise LinkError("Swing is not open.", reason=Reason.LOST)
         return self._clock
 
     def open(self, address, baud, clock, hooks):
         machine = MACHINES.get(address)
         if machine is None or not machine.plugged:
-            raise LinkError(f"There is no Swing at {address}.", reason="missing")
+            raise LinkError(f"There is no Swing at {address}.", reason=Reason.MISSING)
         self._machine, self._clock, self._hooks = machine, clock, hooks
         self.line, self.is_simulated = PlainLine(hooks.delay_s), True
         self._halter = Halter(self._stop_motor)
@@ -156,11 +157,11 @@ class Swing(PlainRotator):
                     permit()
                 function(*given)
         except ConnectionError as gone:
-            raise LinkError("Swing is gone.", reason="lost") from gone
+            raise LinkError("Swing is gone.", reason=Reason.LOST) from gone
         except TimeoutError as silence:
             self._pause(asked + self.line.delay_s)
             self.line.note_silence()
-            raise NoReply("Swing is silent.", reason="silent") from silence
+            raise NoReply("Swing is silent.", reason=Reason.SILENT) from silence
         self._pause(asked + 0.02)
         self.line.note(asked, clock.monotonic())
 
@@ -171,7 +172,7 @@ class Swing(PlainRotator):
             self._hooks.on_facts(replace(self.facts, mapping=polar_arc(site)))
 
     def look(self, *, hurry=False, busy_s=0.0):
-        raise PositionUnknown("Swing does not tell where it points.", reason="untold")
+        raise PositionUnknown("Swing does not tell where it points.", reason=Reason.UNTOLD)
 
     def send(self, to, *, hurry=False, busy_s=0.0):
         self._call(self._machine.turn, to[HOUR.name], permit=self._hooks.permit)
@@ -180,18 +181,18 @@ class Swing(PlainRotator):
     def stop_now(self, order):
         halter, machine = self._halter, self._machine
         if halter is None or not machine.plugged:
-            raise LinkError("Swing is gone.", reason="lost")
+            raise LinkError("Swing is gone.", reason=Reason.LOST)
         halter.ask()
 
     def settle(self, within_s):
         answers = self._halter.answers(within_s) if self._halter is not None else []
         self._pause(self.clock.monotonic() + (0.02 if all(answers) else within_s))
         if not all(answers):
-            raise NoReply("Swing did not answer STOP.", reason="silent")
+            raise NoReply("Swing did not answer STOP.", reason=Reason.SILENT)
         return (None,) * len(answers)
 
     def listen(self, until):
         if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
             self._hooks.on_wake()
         if not self._machine.plugged:
-            raise LinkError("Swing is gone.", reason="lost")
+            raise LinkError("Swing is gone.", reason=Reason.LOST)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, at_option, no_options_among
@@ -78,6 +79,7 @@ def _asked(wanted: Wanted) -> Pointing:
         state = dish.come_up(15.0)
     if state.position is None or state.position_lost is not None:
         raise PositionUnknown(
-            f"The dish does not know where it points, so the peak is not taken. {how_to_home(state)}", reason="unhomed"
+            f"The dish does not know where it points, so the peak is not taken. {how_to_home(state)}",
+            reason=Reason.UNHOMED,
         )
     return state.position

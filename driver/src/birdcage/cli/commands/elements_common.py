@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
+from birdcage.base.reason import Reason
 from birdcage.cli.say import iso
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ def find_entry(catalogue: Catalogue, text: str) -> CatalogueEntry:
     found = resolver.resolve(text)
     target = found.target
     if not isinstance(target, Satellite):
-        raise BirdcageError(f"{target.name} is not in the catalogue.", reason="no_satellite")
+        raise BirdcageError(f"{target.name} is not in the catalogue.", reason=Reason.NO_SATELLITE)
     if found.note:
         say(found.note)
     entry = catalogue.entry(target.elements.norad_id or target.elements.name)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 
@@ -40,7 +41,7 @@ def command(forget: bool) -> None:
             raise LinkError(
                 f"No adapter at {dish.port}. birdcage files what it learns of a dish under its adapter. "
                 "`birdcage ports` lists them.",
-                reason="missing",
+                reason=Reason.MISSING,
             )
         file.forget()
     firmware = dish.firmware if dish.firmware_given else None if file is None else file.firmware

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 
@@ -40,7 +41,7 @@ def command(play_az: float | None, play_el: float | None, forget: bool) -> None:
         raise LinkError(
             f"No adapter at {dish.port or 'no port'}. birdcage files what it learns of a dish under its adapter. "
             "`birdcage ports` lists them.",
-            reason="missing",
+            reason=Reason.MISSING,
         )
     if forget:
         file.forget_gear()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 
@@ -52,7 +53,7 @@ def command(axis: str | None, yes: bool) -> None:
     if position is None or state.position_lost is not None:
         if state.position_text:
             raise PositionUnknown(f"Homed. {state.position_text}", reason=state.position_lost)
-        raise PositionUnknown("The position is still unknown. Home the other axis too.", reason="unhomed")
+        raise PositionUnknown("The position is still unknown. Home the other axis too.", reason=Reason.UNHOMED)
     if flags().json:
         tell_json({**position_values(position), "demo": state.demo})
     else:
@@ -65,12 +66,12 @@ def _refuse_if_by_itself(dish: Wanted) -> None:
 
     model = dish.model
     if model is not None and model.never_homes:
-        raise MotionRefused(model.no_homing, reason="unsupported")
+        raise MotionRefused(model.no_homing, reason=Reason.UNSUPPORTED)
     if model is not None and model.homing_s is None:
         raise MotionRefused(
             f"The {model.name} homes only at power-up. Switch it off and on, and wait with "
             f"`birdcage init --firmware {model.firmware}`.",
-            reason="unsupported",
+            reason=Reason.UNSUPPORTED,
         )
 
 

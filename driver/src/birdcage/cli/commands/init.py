@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.base.held import HeldReason
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options, wanted
 
@@ -206,7 +207,7 @@ def _release(dish: DishSession) -> None:
     from birdcage.station.requests import AcknowledgeFault, Release
 
     held = dish.state.held
-    if held is not None and (held.earlier or held.reason == "stop"):
+    if held is not None and (held.earlier or held.reason is HeldReason.STOP):
         raise Held(f"{held.sentence} Nothing was sent: `birdcage release` lets it move again.")
     dish.ask(AcknowledgeFault(HOLDER), 5.0)
     dish.ask(Release(HOLDER), 5.0)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, elements_option, no_options_among
@@ -108,7 +109,7 @@ def _direction(
     if below:
         text = " ".join(words)
         raise MotionRefused(
-            f"{below} Nothing moves. `birdcage track {text}` shows what is to come.", reason="below_horizon"
+            f"{below} Nothing moves. `birdcage track {text}` shows what is to come.", reason=Reason.BELOW_HORIZON
         )
     seen = target.look(observer, now)
     el_deg = seen.el_deg + float(lift_deg(seen.el_deg, wants.settings.tracking.refraction))

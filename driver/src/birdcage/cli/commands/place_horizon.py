@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli.exits import DATA_EPILOG, EPILOG
 from birdcage.cli.options import find_paths, flags, global_options, load_settings
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS
@@ -79,7 +80,7 @@ def record() -> None:
         state = dish.come_up(15.0)
     position = state.position
     if position is None or state.position_lost is not None:
-        raise PositionUnknown(f"The dish does not know where it points. {how_to_home(state)}", reason="unhomed")
+        raise PositionUnknown(f"The dish does not know where it points. {how_to_home(state)}", reason=Reason.UNHOMED)
     if not abs(position.el_deg) <= 90.0:
         raise PositionUnknown(f"Elevation {position.el_deg:.2f}° is beyond the zenith. Point the dish at the horizon.")
     _keep(HorizonMask(load_settings(find_paths()).place.horizon).insert(position.az_deg, position.el_deg))

@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
@@ -38,7 +39,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
         raise CommandRefused(
             f"This dish has no feature {name} that can be set. Nothing was sent. `birdcage features` lists what it "
             "has.",
-            reason="unsupported",
+            reason=Reason.UNSUPPORTED,
         )
     meant = _value(row, value)
     if row["hazard"]:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 
@@ -120,7 +121,7 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
         try:
             return _stop_it(dish)
         except NoReply as error:
-            if error.reason != "wrong_firmware" or at == len(tries):
+            if error.reason != Reason.WRONG_FIRMWARE or at == len(tries):
                 raise
     if not found.talks:
         raise NoReply(f"{found.sentence} No STOP has reached a dish. If it moves, cut its power.")

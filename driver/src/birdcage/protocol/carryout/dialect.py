@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.carryout.records import LIVE
 
@@ -23,12 +24,12 @@ DIALECT = ConsoleDialect(
     live=LIVE,
     # No source has a text of this firmware. These are words that any console may use.
     refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
+        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
         (
             re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|target|angle)\b", re.IGNORECASE),
-            "bad_parameter",
+            Reason.BAD_PARAMETER,
         ),
-        (re.compile(r"\b(out of range|outside|limit exceeded|not allowed)\b", re.IGNORECASE), "bad_parameter"),
-        (re.compile(r"^\s*(error|failed)\b|\bbusy\b|\bnot (calibrated|homed|ready)\b", re.IGNORECASE), "failed"),
+        (re.compile(r"\b(out of range|outside|limit exceeded|not allowed)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
+        (re.compile(r"^\s*(error|failed)\b|\bbusy\b|\bnot (calibrated|homed|ready)\b", re.IGNORECASE), Reason.FAILED),
     ),
 )

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 from enum import Enum
 
+from birdcage.base.reason import Reason
 from birdcage.protocol.carryout.dialect import DIALECT
 from birdcage.protocol.carryout.records import LiveRecord, RecordReader
 
@@ -57,7 +58,7 @@ def judge_go(lines: Iterable[str]) -> tuple[GotoAnswer, LiveRecord | None]:
     return (GotoAnswer.NOTHING if last is None else GotoAnswer.MOVING), last
 
 
-def refusal_of(line: str) -> str | None:
+def refusal_of(line: str) -> Reason | None:
     """Return the reason of `CommandRefused` that a line stands for; None for any other line."""
     return next((reason for pattern, reason in DIALECT.refusals if pattern.search(line)), None)
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.protocol.carryout.commands import COMMANDS
@@ -90,7 +91,7 @@ class CarryoutProtocol(FirmwareProtocol):
                 break
             except NoReply as silence:
                 elapsed = self.clock.monotonic() - began
-                if elapsed >= timeout_s or silence.reason == "wrong_firmware":
+                if elapsed >= timeout_s or silence.reason == Reason.WRONG_FIRMWARE:
                     raise
                 tell(f"{elapsed:3.0f} s: no prompt yet ({silence.reason}). The dish may still be homing.")
                 self.console.listen(self.clock.monotonic() + _ASK_S)
@@ -102,7 +103,7 @@ class CarryoutProtocol(FirmwareProtocol):
 
     def _read_position(self, busy_s: float) -> Position:  # noqa: ARG002 - there is no such question
         """Raise PositionUnknown: no command tells where it is at rest."""
-        raise PositionUnknown("This dish does not tell where it points.", reason="untold")
+        raise PositionUnknown("This dish does not tell where it points.", reason=Reason.UNTOLD)
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:  # noqa: ARG002
         """Raise CommandRefused (`unsupported`): `g` sends both axes."""
@@ -147,7 +148,7 @@ class CarryoutProtocol(FirmwareProtocol):
         try:
             ceiling_deg = self.read_ceiling()
         except CommandRefused as refused:
-            if refused.reason == "wrong_menu":
+            if refused.reason == Reason.WRONG_MENU:
                 raise
             return Survey()
         told = {} if ceiling_deg is None else {row_id(EL_MAX_ROW): f"{ceiling_deg:g}"}

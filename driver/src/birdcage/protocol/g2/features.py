@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.protocol.motors import MOTORS, by_name
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
 from birdcage.rotator.axis import Axis
@@ -48,7 +49,9 @@ def _angle(name: str, label: str, index: int) -> FeatureRow:
     def read(dish: CarryoutG2Protocol) -> dict[str, Value]:
         row = dish.read_nvs(index)
         if isinstance(row.value, str | bool):
-            raise NoReply(f"The dish showed {row.current!r} in NVS row {index}, which is no angle.", reason="garbage")
+            raise NoReply(
+                f"The dish showed {row.current!r} in NVS row {index}, which is no angle.", reason=Reason.GARBAGE
+            )
         return {name: float(row.value)}
 
     label = f"{label} ({row_label(index)})"

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.reading import END, find, search
 from birdcage.protocol.g2.room import Room
 
@@ -43,5 +44,7 @@ class LatLon(Room):
         if angles is not None and any(
             abs(took - gave) > _ROUNDING_DEG for took, gave in zip(angles, sent, strict=True)
         ):
-            raise CommandRefused(f"Of `{reply.command}` the dish took the angles {angles}.", reason="bad_parameter")
+            raise CommandRefused(
+                f"Of `{reply.command}` the dish took the angles {angles}.", reason=Reason.BAD_PARAMETER
+            )
         return LatLonAnswer(int(place[1]) / 100.0, int(place[2]) / 100.0, angles)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 
 from birdcage.base.beam import CountedBeam, Reflector
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
@@ -127,15 +128,15 @@ DIALECT = ConsoleDialect(
     ),
     # The texts themselves are not in any source (docs/reference/g2.md, *Hazards*). Words, then, not sentences.
     refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized) command\b", re.IGNORECASE), "unknown_command"),
+        (re.compile(r"\b(invalid|unknown|unrecognized) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
         (
             re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
-            "bad_parameter",
+            Reason.BAD_PARAMETER,
         ),
-        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
         (
             re.compile(r"^\s*(error|failed)\b(?! to read eeprom index)|\bSTALLED\b|\bHome Failure\b", re.IGNORECASE),
-            "failed",
+            Reason.FAILED,
         ),
     ),
 )

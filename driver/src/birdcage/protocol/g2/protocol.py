@@ -8,6 +8,7 @@ from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Reply
 from birdcage.protocol.g2.commands import COMMANDS
@@ -78,7 +79,7 @@ class CarryoutG2Protocol(G2Menus):
                 break
             except NoReply as silence:
                 elapsed = self.clock.monotonic() - started
-                if elapsed >= timeout_s or silence.reason == before == "wrong_firmware":
+                if elapsed >= timeout_s or silence.reason == before == Reason.WRONG_FIRMWARE:
                     raise
                 before = silence.reason
                 tell(f"{elapsed:3.0f} s: no prompt yet ({silence.reason}). The dish may still be booting.")
@@ -99,17 +100,17 @@ class CarryoutG2Protocol(G2Menus):
         try:
             self.console.enter("mot")
         except CommandRefused as once:
-            if once.reason != "unknown_command":
+            if once.reason != Reason.UNKNOWN_COMMAND:
                 raise
             try:
                 self.console.enter("mot")  # the line may have been damaged on its way
             except CommandRefused as twice:
-                if twice.reason != "unknown_command":
+                if twice.reason != Reason.UNKNOWN_COMMAND:
                     raise
                 raise self._another_firmware() from twice
 
     def _another_firmware(self) -> NoReply:
-        return NoReply(self.dialect.stranger.format(prompt=self.console.prompt), reason="wrong_firmware")
+        return NoReply(self.dialect.stranger.format(prompt=self.console.prompt), reason=Reason.WRONG_FIRMWARE)
 
     def glance(self) -> Position:
         """Read both axes with one `a` within a stream of moves; a late answer is never taken for a later one's."""
@@ -133,7 +134,7 @@ class CarryoutG2Protocol(G2Menus):
             raise unreadable(f"The dish answered `a` with {' / '.join(reply.lines)!r}, not two angles.", reply.lines)
         if any(map(is_unhomed, angles.values())):
             raise PositionUnknown(
-                "The dish is not homed, so it does not know where it points. Home it first.", reason="unhomed"
+                "The dish is not homed, so it does not know where it points. Home it first.", reason=Reason.UNHOMED
             )
         if not all(low <= angles[axis] <= high for axis, (low, high) in enumerate(_PLAUSIBLE)):
             raise unreadable(f"The dish answered `a` with {' / '.join(reply.lines)!r}: no such angles.", reply.lines)
@@ -162,7 +163,7 @@ class CarryoutG2Protocol(G2Menus):
         told = [m[1] for m in map(_MOVE_TAKEN.search, reply.lines) if m]
         if told and not _is_told(told[-1], degrees, turns=motor_id == self.model.azimuth.index):
             # It moves, and where to is not sure.
-            raise NoReply(f"The dish answered `{reply.command}` with an angle of {told[-1]}°.", reason="garbage")
+            raise NoReply(f"The dish answered `{reply.command}` with an angle of {told[-1]}°.", reason=Reason.GARBAGE)
         return Taken(sure=bool(told), said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     @staticmethod

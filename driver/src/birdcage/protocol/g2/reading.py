@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
 
 START = r"(?<![^\s=:(])"
@@ -40,7 +41,9 @@ class PerAxis(Generic[T]):
 def garbage(reply: Reply) -> NoReply:
     """Return the error for a reply that makes no sense."""
     printed = " / ".join(reply.lines) or "nothing"
-    return NoReply(f"The dish answered `{reply.command}` with {printed!r}, which makes no sense.", reason="garbage")
+    return NoReply(
+        f"The dish answered `{reply.command}` with {printed!r}, which makes no sense.", reason=Reason.GARBAGE
+    )
 
 
 def search(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str] | None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import ClassVar, TypeVar
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
 from birdcage.console.session import Console
 
@@ -51,5 +52,5 @@ class Room:
             lines += part
         if not found:
             printed = " / ".join(lines[:4]) or "nothing"
-            raise NoReply(f"In {within_s:g} s of `{line}` the dish printed {printed!r}.", reason="garbage")
+            raise NoReply(f"In {within_s:g} s of `{line}` the dish printed {printed!r}.", reason=Reason.GARBAGE)
         return tuple(found[:samples])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.room import Room
 from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs, same_value
 
@@ -36,7 +37,7 @@ class SettingsMemory(Room):
         """Read one row. NoReply (no_row) when there is no such row."""
         rows = parse_nvs(self._run(f"d {index}").lines)
         if index not in rows:
-            raise NoReply(f"The dish showed no NVS row {index}.", reason="no_row")
+            raise NoReply(f"The dish showed no NVS row {index}.", reason=Reason.NO_ROW)
         return rows[index]
 
     def table(self) -> dict[int, NvsRow]:
@@ -59,14 +60,15 @@ class SettingsMemory(Room):
             raise CommandRefused(
                 f"Told to set NVS row {index} to {value}, the dish set row {edit.index} to {edit.after}. It was not "
                 "saved: a power cycle takes it back.",
-                reason="bad_parameter",
+                reason=Reason.BAD_PARAMETER,
             )
         saved = self._run("s", takes_s=_SAVE_S)
         if not any("Success" in line for line in saved.lines):
-            raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason="bad_parameter")
+            raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason=Reason.BAD_PARAMETER)
         row = self.read(index)
         if not same_value(row.saved, value):
             raise CommandRefused(
-                f"Told to save {value} in NVS row {index}, the dish shows {row.saved} there.", reason="bad_parameter"
+                f"Told to save {value} in NVS row {index}, the dish shows {row.saved} there.",
+                reason=Reason.BAD_PARAMETER,
             )
         return row

@@ -10,6 +10,7 @@ import re
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.model import CARRYOUT_G2
@@ -40,7 +41,7 @@ class Stepper(Room):
             raise MotionRefused(
                 f"The {axis.name} can go at up to {axis.speed_deg_s:g}°/s and more than 0, not at {speed_deg_s:g}°/s. "
                 "Nothing was sent.",
-                reason="speed",
+                reason=Reason.SPEED,
             )
         steps = math.floor(speed_deg_s / axis.step_deg + 1e-6)
         self._run(f"mv {motor} {steps}")
@@ -49,7 +50,8 @@ class Stepper(Room):
         if now is None or abs(now - steps * axis.step_deg) > 1.5 * axis.step_deg:
             shown = "none" if now is None else f"{now:.2f}°/s"
             raise CommandRefused(
-                f"The dish was told {speed_deg_s:.2f}°/s for the {axis.name} and shows {shown}.", reason="bad_parameter"
+                f"The dish was told {speed_deg_s:.2f}°/s for the {axis.name} and shows {shown}.",
+                reason=Reason.BAD_PARAMETER,
             )
         return speeds
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System
@@ -20,7 +21,7 @@ def survey(system: System, nvs: SettingsMemory, stepper: Stepper) -> Survey:
         try:
             rows[index] = nvs.read(index)
         except NoReply as missing:
-            if missing.reason != "no_row":
+            if missing.reason != Reason.NO_ROW:
                 raise
     try:
         speeds = stepper.max_speeds_deg_s()
@@ -48,5 +49,7 @@ def _degrees(row: NvsRow | None) -> float | None:
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
-        raise NoReply(f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason="garbage")
+        raise NoReply(
+            f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason=Reason.GARBAGE
+        )
     return value

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.reading import END
 from birdcage.protocol.g2.room import Room
 
@@ -47,7 +48,7 @@ class System(Room):
         """Read `id`."""
         fields = self.fields()
         if not fields:
-            raise NoReply("The dish answered `id` with no field of an identity.", reason="garbage")
+            raise NoReply("The dish answered `id` with no field of an identity.", reason=Reason.GARBAGE)
         return DishIdentity(
             software=fields.get("Software"),
             system_id=fields.get("System ID"),

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from birdcage.base.errors import PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.values import Position
 
@@ -33,7 +34,7 @@ def parse_position(lines: Iterable[str]) -> Position:
     if any(is_unhomed(float(text)) for text in found.values()):
         raise PositionUnknown(
             "The dish is not homed, so it does not know where it points. It homes by itself at power-up.",
-            reason="unhomed",
+            reason=Reason.UNHOMED,
         )
     angles = {label: _angle(label, text) for label, text in found.items()}
     az_deg, el_deg = angles.get("AZ"), angles.get("EL")

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable
 
 from birdcage.base.errors import NoReply
+from birdcage.base.reason import Reason
 from birdcage.console.session import Console
 
 _STILL_S = 10.0
@@ -54,11 +55,11 @@ class BootWatch:
                 console.synchronize()
                 if self._ended or not self._streams(clock.monotonic()) or is_homed():
                     return
-                late = NoReply("The dish answers, but its boot does not end.", reason="blocked")
+                late = NoReply("The dish answers, but its boot does not end.", reason=Reason.BLOCKED)
             except NoReply as silence:
                 late = silence
             elapsed = clock.monotonic() - began
-            if elapsed >= timeout_s or late.reason == "wrong_firmware":
+            if elapsed >= timeout_s or late.reason == Reason.WRONG_FIRMWARE:
                 raise late
             tell(f"{elapsed:3.0f} s: no prompt yet ({late.reason}). The dish may still be booting.")
 

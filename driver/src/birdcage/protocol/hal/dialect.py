@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 
@@ -28,15 +29,15 @@ DIALECT = ConsoleDialect(
     ),
     # No source has the texts of this firmware, but for its stalls (`docs/reference/travler.md`, *Faults*). Words, then.
     refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), "unknown_command"),
+        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
         (
             re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
-            "bad_parameter",
+            Reason.BAD_PARAMETER,
         ),
-        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), "bad_parameter"),
+        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
         (
             re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
-            "failed",
+            Reason.FAILED,
         ),
     ),
 )

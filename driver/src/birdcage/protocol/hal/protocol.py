@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, PositionUnknown
+from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.protocol.family import angle_text
@@ -126,7 +127,8 @@ class HAL205Protocol(FirmwareProtocol):
         """Send `g <az> <el> <sk>` (`docs/reference/travler.md`, *Moving*), and return at once."""
         if skew_deg is None:
             raise CommandRefused(
-                "The dish did not report its skew, which a combined move needs. Nothing was sent.", reason="unsupported"
+                "The dish did not report its skew, which a combined move needs. Nothing was sent.",
+                reason=Reason.UNSUPPORTED,
             )
         line = f"g {angle_text(az_deg)} {angle_text(el_deg)} {angle_text(skew_deg)}"
         self.console.enter(MOTOR)
@@ -161,7 +163,7 @@ class HAL205Protocol(FirmwareProtocol):
         try:
             rows = {index: self.read_nvs(index) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)}
         except CommandRefused as refused:
-            if refused.reason == "wrong_menu":
+            if refused.reason == Reason.WRONG_MENU:
                 raise
             return Survey()  # a dish without these rows, or without this menu: its model's limits hold
         lowest = rows[SAFE_MINIMUM]
@@ -183,7 +185,7 @@ class HAL205Protocol(FirmwareProtocol):
         try:
             lines = self.console.run(NVS, "d", takes_s=10.0).lines
         except CommandRefused as refused:
-            if refused.reason != "unknown_command":
+            if refused.reason != Reason.UNKNOWN_COMMAND:
                 raise
             lines = ()
         if not lines:
@@ -199,7 +201,7 @@ class HAL205Protocol(FirmwareProtocol):
         try:
             self.console.exchange("s")
         except CommandRefused as refused:
-            if refused.reason != "failed":
+            if refused.reason != Reason.FAILED:
                 raise  # `failed` is said of a search that does not run
         self.console.leave()
         self.enter_motor_menu()
@@ -208,5 +210,5 @@ class HAL205Protocol(FirmwareProtocol):
         """Raise CommandRefused (`unsupported`): the next power-up does it."""
         raise CommandRefused(
             "The Trav'ler has no command that begins its TV search: it begins by itself at the next power-up.",
-            reason="unsupported",
+            reason=Reason.UNSUPPORTED,
         )

@@ -7,9 +7,12 @@ from concurrent.futures import Future
 from typing import ClassVar
 
 from birdcage.base.errors import BirdcageError, Held
+from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice, Mark, StepView
 from birdcage.station.requests import AcknowledgeFault, Release
+from birdcage.station.state import FaultReason
 
 Plan = Generator[Future[object] | None, object, None]
 """Work that takes time: yields a future to wait for, or None to be looked at again later."""
@@ -122,7 +125,7 @@ class Step:
             elif self.bench.now < self._until:
                 return
             else:
-                error = BirdcageError(f"Not done within {LONGEST_S:.0f} s.", reason="timeout")
+                error = BirdcageError(f"Not done within {LONGEST_S:.0f} s.", reason=Reason.TIMEOUT)
         self._step(error, result)
 
     @staticmethod
@@ -156,9 +159,7 @@ class Step:
         fault, held = self.bench.state.fault, self.bench.state.held
         if fault is not None:
             return (Choice("release", "r", f"I have read it, go on: {fault.what}"),)
-        return (
-            (Choice("release", "r", f"Release ({held.reason} by {held.by or 'somebody'})"),) if held is not None else ()
-        )
+        return (Choice("release", "r", f"Release ({held.why} by {held.by or 'somebody'})"),) if held is not None else ()
 
     def trouble(self) -> tuple[str, ...]:
         """Say what keeps the dish from moving."""
@@ -179,8 +180,12 @@ class Step:
     def release_after_restart(self) -> Plan:
         """Let go of what the dish's own search or a restart has latched; a person's STOP holds."""
         state = self.bench.state
-        if state.held is not None and (state.held.reason == "stop" or state.held.earlier):
+        if state.held is not None and (state.held.reason is HeldReason.STOP or state.held.earlier):
             raise Held(f"{state.held.sentence} Release it first.")
-        if state.fault is not None and state.fault.reason not in ("moved", "reboot", "unhomed"):
-            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason="fault")
+        if state.fault is not None and state.fault.reason not in (
+            FaultReason.MOVED,
+            FaultReason.REBOOT,
+            FaultReason.UNHOMED,
+        ):
+            raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason=Reason.FAULT)
         yield from self.release()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from birdcage.base.errors import BirdcageError, MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.station.requests import Goto
@@ -118,5 +119,5 @@ class DirectionStep(Step):
         self.asked = ""
         yield self.bench.ask(Goto(*self._start, self.bench.holder))
         if wrong:
-            raise BirdcageError(_WRONG[wrong], reason="direction")
+            raise BirdcageError(_WRONG[wrong], reason=Reason.DIRECTION)
         self.bench.done(self.name, f"{self._seen}: seen by you")

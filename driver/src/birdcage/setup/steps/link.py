@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from birdcage.base.config.edit import Value
+from birdcage.base.reason import Reason
 from birdcage.detection.detecting import heard_firmware
 from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.setup.case import Case, Cause, describe
@@ -17,7 +18,7 @@ from birdcage.setup.steps.firmware import OTHER, other_firmwares, speak_another
 from birdcage.setup.wiring import FOUR_WIRES
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import Connect, ProbePort
-from birdcage.station.state import Activity, LinkPhase
+from birdcage.station.state import Activity, FaultReason, LinkPhase
 
 LIST_S = 2.0
 """How often the ports of the machine are listed, in seconds, while this step waits."""
@@ -25,7 +26,7 @@ ANSWER_S = 8.0
 """How long an answer is waited for after the port was changed, in seconds."""
 BOOT_S = 30.0
 """The same where a dish was heard that may be booting."""
-CONTRADICTIONS = ("wrong_firmware", "unknown_command")
+CONTRADICTIONS = (Reason.WRONG_FIRMWARE, Reason.UNKNOWN_COMMAND)
 """Why a dish counts as silent that does answer: its console is not the one that is spoken."""
 MOST_PORTS = 9
 MOST_CAUSES = 3
@@ -157,7 +158,7 @@ class LinkStep(Step):
         return find_causes(
             Case(
                 state.port, state.link, self.findings, self._system, tuple(self._ports), firmware_baud=baud,
-                boot_s=boot_s, restarted=state.fault is not None and state.fault.reason == "reboot",
+                boot_s=boot_s, restarted=state.fault is not None and state.fault.reason is FaultReason.REBOOT,
             )
         )  # fmt: skip
 

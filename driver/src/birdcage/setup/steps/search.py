@@ -9,7 +9,7 @@ from birdcage.setup.step import Choice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.station.known import SearchSetting, SearchSwitch
 from birdcage.station.requests import Connect, SetSearch
-from birdcage.station.state import Activity, TvSearch
+from birdcage.station.state import Activity, FaultReason, TvSearch
 
 _AT_ONCE = {
     TvSearch.OFF_UNTIL_POWER_UP: "ended: it begins again at each power-up",
@@ -151,7 +151,7 @@ class SearchStep(Step):
     def _restarted(self) -> bool:
         """Whether the station has met the restart that was asked for."""
         fault = self.bench.state.fault
-        return fault is not None and fault.reason == "reboot"
+        return fault is not None and fault.reason is FaultReason.REBOOT
 
     def choices(self) -> tuple[Choice, ...]:
         """Switch it off, or say that the power was cycled."""

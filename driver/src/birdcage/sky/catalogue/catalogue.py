@@ -11,6 +11,7 @@ from types import TracebackType
 from typing import NamedTuple, Self
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.base.store import open_database
 from birdcage.base.text import clean
 from birdcage.sky.ahead import AHEAD, is_ahead
@@ -207,7 +208,7 @@ class Catalogue:
     def _known(self, satellite: int | str) -> str:
         entry = self.entry(satellite)
         if entry is None:
-            raise BirdcageError(f"The catalogue has no satellite called {satellite}.", reason="no_satellite")
+            raise BirdcageError(f"The catalogue has no satellite called {satellite}.", reason=Reason.NO_SATELLITE)
         return entry.key
 
     def _key(self, satellite: int | str) -> str:

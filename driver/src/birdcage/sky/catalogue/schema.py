@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 
 from birdcage.base.errors import StoreError
+from birdcage.base.reason import Reason
 from birdcage.base.store import Migration
 
 MIGRATIONS: tuple[Migration, ...] = (
@@ -63,5 +64,5 @@ def told() -> Iterator[None]:
     try:
         yield
     except sqlite3.DatabaseError as error:
-        reason = "failed" if isinstance(error, sqlite3.OperationalError) else "damaged"
+        reason = Reason.FAILED if isinstance(error, sqlite3.OperationalError) else Reason.DAMAGED
         raise StoreError(f"The catalogue of satellites can't be used: {error}.", reason=reason) from error

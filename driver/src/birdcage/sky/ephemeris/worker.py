@@ -13,6 +13,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.sky.dut1 import dut1_s
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ LAST = datetime(2053, 10, 8, tzinfo=UTC)
 class NotCovered(BirdcageError, ValueError):
     """The ephemeris that ships with birdcage does not reach to that time."""
 
-    reason = "ephemeris"
+    reason = Reason.EPHEMERIS
 
 
 @cache

@@ -7,6 +7,7 @@ from datetime import datetime, timedelta
 from typing import Literal, Protocol
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.ephemeris.bodies import Body, look_at_star
 from birdcage.sky.geostationary import look_at_slot
@@ -22,7 +23,7 @@ RATE_OVER_S = 1.0
 class NoPosition(BirdcageError):
     """The elements of a satellite give no position at that time: it has decayed, or they are no orbit."""
 
-    reason = "no_position"
+    reason = Reason.NO_POSITION
 
 
 class Target(Protocol):

@@ -7,17 +7,18 @@ from dataclasses import dataclass
 from typing import Literal, Protocol
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.targets.model import SlotTarget, Target
 from birdcage.sky.targets.names import OffAir
 
-Reason = Literal["found", "unknown", "absent", "ambiguous", "silent", "angle"]
+Why = Literal["found", "unknown", "absent", "ambiguous", "silent", "angle"]
 
 
 class UnknownTarget(BirdcageError):
     """No single target is meant. Reasons: unknown, absent (a known name without elements), ambiguous, silent, angle."""
 
-    reason = "unknown"
+    reason = Reason.UNKNOWN
 
 
 class Hit(Protocol):
@@ -76,7 +77,7 @@ class Resolution:
     """What is meant: it alone bears the name, or it is clearly preferred."""
     exact: bool = False
     """Whether that is by its whole name, its number or numbers typed, and not by a part of a name."""
-    reason: Reason = "found"
+    why: Why = "found"
     problem: str = ""
     """Why nothing is found, and what to type or do; empty if something is."""
     candidates: tuple[TargetCandidate, ...] = ()
@@ -102,5 +103,5 @@ class Resolution:
     def target(self) -> Target:
         """What is meant. UnknownTarget where nothing is found."""
         if self.found is None:
-            raise UnknownTarget(self.problem, reason=self.reason)
+            raise UnknownTarget(self.problem, reason=Reason(self.why))
         return self.found.target

@@ -55,7 +55,7 @@ class Resolver:
             try:
                 form = read_form(typed)
             except ValueError as error:
-                return Resolution(typed, reason="angle", problem=str(error))
+                return Resolution(typed, why="angle", problem=str(error))
             if form is not None:
                 return Resolution(typed, TargetCandidate(form, typed), exact=True)
         exact = self._exactly(typed)

@@ -17,6 +17,7 @@ from datetime import UTC, datetime
 from typing import TypeVar
 from urllib.parse import urlencode
 
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import check_url, fetch
@@ -99,7 +100,7 @@ class Craft:
         url = f"{self._url}{path}?{urlencode(query)}"
         reply = self._ask(url, headers={"Accept": "application/json"}, deadline_s=DEADLINE_S)
         if reply.status != 200:
-            raise FetchError(f"{self._host} answers {reply.status}.", reason="http", status=reply.status)
+            raise FetchError(f"{self._host} answers {reply.status}.", reason=Reason.HTTP, status=reply.status)
         try:
             found = clean_all(json.loads(reply.body))
             rows = found[key]
@@ -107,7 +108,7 @@ class Craft:
                 raise TypeError(f"{key} is no list")
             return tuple(read(row) for row in rows)
         except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
-            raise FetchError(f"{self._host} answers something unreadable ({error}).", reason="garbage") from error
+            raise FetchError(f"{self._host} answers something unreadable ({error}).", reason=Reason.GARBAGE) from error
 
 
 def _target(row: Row) -> CraftTarget:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 
 
 class FetchError(BirdcageError):
@@ -12,8 +13,8 @@ class FetchError(BirdcageError):
     http (a status that means no; `status` has it), url.
     """
 
-    reason = "offline"
+    reason = Reason.OFFLINE
 
-    def __init__(self, message: str, *, reason: str | None = None, status: int | None = None) -> None:
+    def __init__(self, message: str, *, reason: Reason | None = None, status: int | None = None) -> None:
         super().__init__(message, reason=reason)
         self.status = status

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 from urllib.parse import urlsplit
 
+from birdcage.base.reason import Reason
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.unpack import unpack
 
@@ -45,7 +46,7 @@ def check_url(url: str) -> str:
     except ValueError:
         parts, port = urlsplit(""), None
     if parts.scheme not in ("http", "https") or not parts.hostname:
-        raise FetchError(f"{url} is not an http or https address.", reason="url")
+        raise FetchError(f"{url} is not an http or https address.", reason=Reason.URL)
     return parts.hostname if port is None else f"{parts.hostname}:{port}"
 
 
@@ -119,7 +120,7 @@ class _Request:
             url = self._next(url, location)
         raise FetchError(
             f"{check_url(self._url)} redirects more than {MOST_REDIRECTS} times: nothing was fetched.",
-            reason="redirects",
+            reason=Reason.REDIRECTS,
         )
 
     def _next(self, url: str, location: str) -> str:
@@ -129,7 +130,7 @@ class _Request:
         check_url(further)
         if url.startswith("https:") and not further.startswith("https:"):
             raise FetchError(
-                f"{check_url(url)} sends to {further}, which is not encrypted: not followed.", reason="redirects"
+                f"{check_url(url)} sends to {further}, which is not encrypted: not followed.", reason=Reason.REDIRECTS
             )
         return further
 
@@ -161,23 +162,25 @@ def _told(url: str, error: urllib3.exceptions.HTTPError) -> FetchError:
             why = f" ({cause.strerror})" if isinstance(cause, OSError) and cause.strerror else ""
             return FetchError(f"{host} cannot be reached{why}. Are you online?")
         case exceptions.TimeoutError():
-            return FetchError(f"{host} did not answer in time. Nothing was taken.", reason="timeout")
+            return FetchError(f"{host} did not answer in time. Nothing was taken.", reason=Reason.TIMEOUT)
         case exceptions.SSLError():
             return FetchError(
                 f"{host} has a certificate that can't be verified ({error}). Is this machine's clock right?",
-                reason="tls",
+                reason=Reason.TLS,
             )
         case exceptions.ProtocolError():
-            return FetchError(f"{host} broke off in the middle of its answer. Nothing was taken.", reason="truncated")
+            return FetchError(
+                f"{host} broke off in the middle of its answer. Nothing was taken.", reason=Reason.TRUNCATED
+            )
         case _:
             return FetchError(f"{host} did not answer like a web server ({error}): nothing was taken.")
 
 
 def _too_slow(url: str) -> FetchError:
-    return FetchError(f"{check_url(url)} was too slow. Nothing was taken.", reason="timeout")
+    return FetchError(f"{check_url(url)} was too slow. Nothing was taken.", reason=Reason.TIMEOUT)
 
 
 def _too_large(url: str, largest: int) -> FetchError:
     return FetchError(
-        f"{check_url(url)} sends more than {largest / 1e6:.0f} MB: nothing was taken.", reason="too_large"
+        f"{check_url(url)} sends more than {largest / 1e6:.0f} MB: nothing was taken.", reason=Reason.TOO_LARGE
     )

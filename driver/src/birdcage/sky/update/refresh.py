@@ -13,6 +13,7 @@ from datetime import UTC, datetime, timedelta
 from enum import StrEnum
 from typing import Protocol
 
+from birdcage.base.reason import Reason
 from birdcage.sky.ahead import ahead_words, is_ahead
 from birdcage.sky.catalogue import AddedElements, Catalogue, CatalogueGroup
 from birdcage.sky.catalogue.words import at, span
@@ -105,7 +106,7 @@ class _Refresh:
         try:
             return self._ask(self._source.url, headers=self._headers(), deadline_s=self._deadline_s)
         except FetchError as error:
-            if error.reason in ("offline", "timeout", "tls"):
+            if error.reason in (Reason.OFFLINE, Reason.TIMEOUT, Reason.TLS):
                 self._gone[host] = str(error)
             raise
 
@@ -148,7 +149,9 @@ class _Refresh:
             return self._outcome(Status.UNCHANGED, f"{host} has nothing newer.", next_at=self._next(now))
         pause = pause_of(reply, host, now)
         if pause is None:
-            raise FetchError(f"{host} answers {reply.status}: nothing was taken.", reason="http", status=reply.status)
+            raise FetchError(
+                f"{host} answers {reply.status}: nothing was taken.", reason=Reason.HTTP, status=reply.status
+            )
         if pause.whole_host:
             self._catalogue.groups.pause_host(host, pause.until, pause.why)
         self._catalogue.groups.keep(replace(self._group, paused_until=pause.until, problem=pause.why))

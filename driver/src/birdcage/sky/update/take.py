@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 
+from birdcage.base.reason import Reason
 from birdcage.sky.formats import ParseResult, read_text
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import HttpReply
@@ -24,7 +25,7 @@ def take(reply: HttpReply, source: str, host: str) -> ParseResult:
         raise FetchError(
             f"{host} answers with a web page where elements belong: nothing was taken. "
             "Does this network need a log-in first? Or is the address wrong?",
-            reason="garbage",
+            reason=Reason.GARBAGE,
         )
     text = body.decode("utf-8", "replace")
     _check_whole(text, host)
@@ -33,7 +34,7 @@ def take(reply: HttpReply, source: str, host: str) -> ParseResult:
         said = " ".join("".join(each if each.isprintable() else " " for each in text[:200]).split())[:80]
         raise FetchError(
             f"{host} sent no elements: nothing was taken. " + (f"It says: {said}" if said else "It sent nothing."),
-            reason="garbage",
+            reason=Reason.GARBAGE,
         )
     return harvest
 
@@ -52,7 +53,7 @@ def _check_whole(text: str, host: str) -> None:
             parser.Parse(text.lstrip(), True)
     except (ValueError, RecursionError, expat.ExpatError) as error:
         raise FetchError(
-            f"{host} sent a damaged or unfinished file ({error}): nothing was taken.", reason="truncated"
+            f"{host} sent a damaged or unfinished file ({error}): nothing was taken.", reason=Reason.TRUNCATED
         ) from error
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import zlib
 
+from birdcage.base.reason import Reason
 from birdcage.sky.update.errors import FetchError
 
 _MAGIC = b"\x1f\x8b"
@@ -19,7 +20,7 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
     """
     named = encoding.strip().lower()
     if named not in ("", "identity", "gzip", "x-gzip"):
-        raise FetchError(f"{url} answers in an unexpected encoding ({named}).", reason="garbage")
+        raise FetchError(f"{url} answers in an unexpected encoding ({named}).", reason=Reason.GARBAGE)
     if not body.startswith(_MAGIC):
         return body  # a server that says gzip and sends it plain is common enough
     whole = bytearray()
@@ -30,10 +31,16 @@ def unpack(body: bytes, encoding: str, largest: int, url: str) -> bytes:
         try:
             whole += unpacker.decompress(body, largest + 1 - len(whole))
         except zlib.error as error:
-            raise FetchError(f"{url} sent damaged data ({error}): nothing was taken.", reason="garbage") from error
+            raise FetchError(f"{url} sent damaged data ({error}): nothing was taken.", reason=Reason.GARBAGE) from error
         if len(whole) > largest:
-            raise FetchError(f"{url} sends more than {largest / 1e6:.0f} MB: nothing was taken.", reason="too_large")
+            raise FetchError(
+                f"{url} sends more than {largest / 1e6:.0f} MB: nothing was taken.", reason=Reason.TOO_LARGE
+            )
         if not unpacker.eof:
-            raise FetchError(f"{url} broke off in the middle of its answer. Nothing was taken.", reason="truncated")
+            raise FetchError(
+                f"{url} broke off in the middle of its answer. Nothing was taken.", reason=Reason.TRUNCATED
+            )
         body = unpacker.unused_data
-    raise FetchError(f"{url} sent damaged data (more than {MOST_MEMBERS} parts): nothing was taken.", reason="garbage")
+    raise FetchError(
+        f"{url} sent damaged data (more than {MOST_MEMBERS} parts): nothing was taken.", reason=Reason.GARBAGE
+    )

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 from birdcage.base.errors import MotionRefused
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller_input import LEAD_S, Controller
 from birdcage.tracking.steering.fast import fast
@@ -36,7 +37,7 @@ def controller_for(model: Facts, wanted: str = "auto", *, velocity_allowed: bool
     name = suited(model) if wanted == "auto" else wanted
     refusal = _against(model, name, velocity_allowed=velocity_allowed)
     if refusal:
-        raise MotionRefused(f"{refusal} Nothing was sent.", reason="controller")
+        raise MotionRefused(f"{refusal} Nothing was sent.", reason=Reason.CONTROLLER)
     return name, CONTROLLERS[name]
 
 
