@@ -16,7 +16,7 @@ import moving
 import picture
 import scenes
 import stage
-from birdcage_tui.themes import LOOKS
+from birdcage_tui.drawing.themes import LOOKS
 
 FOLDER = Path(__file__).resolve().parents[1] / "screenshots"
 GAP = 24

@@ -7,7 +7,7 @@ from html import escape
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from birdcage_tui.cell_text import pieces as pieces_of
+from birdcage_tui.drawing.cell_text import pieces as pieces_of
 from marks import HIGH, WIDE, mark
 
 if TYPE_CHECKING:

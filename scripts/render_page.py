@@ -9,7 +9,7 @@ from pathlib import Path
 import picture
 import stage
 import stand_in
-from birdcage_tui.themes import LOOKS
+from birdcage_tui.drawing.themes import LOOKS
 
 
 def ink(text: str) -> int:

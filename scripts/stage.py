@@ -22,16 +22,16 @@ from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.calibrate.source import make_calibrate
-from birdcage_tui.control.horizon_file import ConfigHorizon
-from birdcage_tui.demo_radio import radio_flags, write_downlinks
+from birdcage_tui.drawing.themes import LOOKS
+from birdcage_tui.feeds.calibrate_source import make_calibrate
+from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
+from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.feeds.signal_source import SessionSignals
+from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.signal_source import SessionSignals
-from birdcage_tui.sky_feed import make_sky
-from birdcage_tui.themes import LOOKS
-from birdcage_tui.track_source import make_track
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 from textual.pilot import Pilot
 
 STEP_S = 0.1

@@ -9,8 +9,8 @@ import pytest
 from birdcage.base.config import FeedProfile
 from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
-from birdcage.sky.downlinks import shipped
 from birdcage.sky.downlinks_hearing import listener
+from birdcage.sky.downlinks_read import shipped
 from birdcage.sky.elements import ElementSet
 
 NOW = datetime.now(UTC)

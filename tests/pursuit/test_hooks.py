@@ -18,7 +18,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config.tracking_sections import HookSettings
 from birdcage.pursuit.hooks import PassHooks
 from birdcage.pursuit.pass_facts import PassFacts
-from birdcage.sky.downlinks import load_downlinks
+from birdcage.sky.downlinks_read import load_downlinks
 
 NOON = datetime(2026, 3, 20, 12, 0, 0, tzinfo=UTC)
 

@@ -14,7 +14,7 @@ from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.config.feeds import FeedSettings
 from birdcage.base.config.tracking_sections import HookSettings
 from birdcage.pursuit.pass_facts import PassFacts
-from birdcage.sky.downlinks import shipped
+from birdcage.sky.downlinks_read import shipped
 from birdcage.station.pursuit_state import Phase
 
 from .conftest import SHORT

@@ -9,9 +9,10 @@ from importlib.resources import files
 import pytest
 from birdcage.base.config import FeedProfile
 from birdcage.base.config.feeds import STOCK_FEED
-from birdcage.sky.downlinks import load_downlinks, plain, shipped
+from birdcage.sky.downlinks import plain
 from birdcage.sky.downlinks_age import age_days, is_doubtful
 from birdcage.sky.downlinks_hearing import has_band, hearable, hearing
+from birdcage.sky.downlinks_read import load_downlinks, shipped
 from birdcage.sky.downlinks_words import air_words
 from birdcage.sky.slots import slots
 

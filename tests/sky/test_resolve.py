@@ -7,7 +7,8 @@ from datetime import UTC, datetime
 
 import pytest
 from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
-from birdcage.sky.downlinks import Downlink, shipped
+from birdcage.sky.downlinks import Downlink
+from birdcage.sky.downlinks_read import shipped
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.targets import Resolver

@@ -10,9 +10,9 @@ from birdcage.station.report import status_report
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import Activity
 from birdcage.station.stop_pending import StopReach
-from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.view import View
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.panes.next_steps import next_steps
+from birdcage_tui.shown.view import View
 
 from .conftest import Bench
 

@@ -17,9 +17,9 @@ from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import LimitSource
 from birdcage.station.stop_words import stop_line
 from birdcage.testing import Contract, Stage, StopScene, TestBench
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.view import View
-from birdcage_tui.words import motion_text
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shown.state_words import motion_text
+from birdcage_tui.shown.view import View
 from installed_toys import installed
 
 

@@ -3,7 +3,7 @@
 import asyncio
 import unicodedata
 
-from birdcage_tui.stopping import stop_first
+from birdcage_tui.shell.stopping import stop_first
 from textual.drivers.headless_driver import HeadlessDriver
 from textual.events import Key
 from textual.keys import REPLACED_KEYS, _get_unicode_name_from_key

@@ -15,9 +15,10 @@ from birdcage.sim.port import SimPort, open_device
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.calibrate.source import make_calibrate
-from birdcage_tui.settings import AppOptions, SitePlace
+from birdcage_tui.feeds.calibrate_source import make_calibrate
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.options import SitePlace
 
 AFTERNOON = datetime(2026, 3, 20, 20, 30, tzinfo=UTC)
 """The Sun stands in the south-west, away from most of the arc."""

@@ -17,7 +17,7 @@ from birdcage.calibration.peak import MeasuredPeak
 from birdcage.calibration.terms import priors_of
 from birdcage.sky.targets.model import Fixed
 from birdcage.station.state import Pointing
-from birdcage_tui.calibrate.feed import CalibrateNow, KeptSet
+from birdcage_tui.shown.calibration import CalibrateNow, KeptSet
 
 UTC_THEN = datetime(2026, 3, 20, 20, 30, tzinfo=UTC)
 STANDS = Alignment(5.0, 0.4, 0.3, 1.2, 0.7)

@@ -14,10 +14,10 @@ from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.observer import Observer
 from birdcage.station.build import open_session
 from birdcage.station.requests import Home
-from birdcage_tui.app import BirdcageApp
+from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.run import _app_settings
-from birdcage_tui.sky_feed import make_sky
-from birdcage_tui.track_source import make_track
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 
 PLACE = "[place]\nlatitude_deg = 39.1\nlongitude_deg = -95.7\n"
 NAMES = (("ISS (ZARYA)", 25544), ("ISS (NAUKA)", 49044), ("RADFXSAT (FOX-1B)", 43017), ("METEOR-M2 3", 57166),

@@ -12,8 +12,8 @@ from string import ascii_letters, digits
 from birdcage.sim.port import open_device
 from birdcage.station import requests as ask
 from birdcage.station.state import Activity
-from birdcage_tui.app import BirdcageApp
 from birdcage_tui.commands import KEYS
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 from burst import settle, write
 from textual.events import Key
 from textual.widgets import Input, TextArea

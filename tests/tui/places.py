@@ -14,8 +14,8 @@ import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage_tui.app import BirdcageApp
 from birdcage_tui.commands import PAGES
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 
 KEYS = {" ": "space", "?": "question_mark", ":": "colon", ";": "semicolon", "/": "slash"}
 LINE = [KEYS.get(letter, letter) for letter in "a 0 200"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import stand_in
-from birdcage_tui.canvas import Cells
+from birdcage_tui.drawing.canvas import Cells
 from textual.widgets import Input
 
 from tests.house.habits import habits_filled_in

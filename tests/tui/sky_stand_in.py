@@ -11,7 +11,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import sub_solar
 from birdcage.sky.world import SubPoint, WorldView
-from birdcage_tui.passes.model import Age, DopplerFrequency, InReach, Lost, Path, Row, ShownPath, SkyPicture, Up
+from birdcage_tui.shown.sky_picture import Age, DopplerFrequency, InReach, Lost, Path, Row, ShownPath, SkyPicture, Up
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
 LRPT = DopplerFrequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))

@@ -33,9 +33,10 @@ from birdcage.station.state import (
     StopReport,
     TvSearch,
 )
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.settings import AppOptions, SitePlace
-from birdcage_tui.view import SignalSample
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.options import SitePlace
+from birdcage_tui.shown.view import SignalSample
 
 PROTOCOL = get_protocol("g2")
 PLACE = SitePlace(40.4, -95.0, "EN10")

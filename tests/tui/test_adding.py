@@ -12,8 +12,8 @@ from birdcage.base.presets import load_presets
 from birdcage.sky.catalogue import Catalogue
 from birdcage_tui import main
 from birdcage_tui import run as run_module
-from birdcage_tui.settings import SitePlace
-from birdcage_tui.sky_feed import make_sky
+from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.shown.options import SitePlace
 from textual import events
 from textual.widgets import Input
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import pytest
 import sky_stand_in
-from birdcage_tui.passes.model import InReach, Lost, ShownPath
-from birdcage_tui.passes.words import reach_text
+from birdcage_tui.shown.pass_words import reach_text
+from birdcage_tui.shown.sky_picture import InReach, Lost, ShownPath
 from test_passes_page import on_page, pressed
 from track_plans import NOON
 from track_stage import SIZES, read, run

@@ -12,10 +12,10 @@ from birdcage.rotator.mapping import Site
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import Goto, Home
 from birdcage.testing import Stage, TestBench
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.commands.table import can_home
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.words import ended_text
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.allowed import can_home
+from birdcage_tui.shown.state_words import ended_text
 from installed_toys import installed
 
 SITE = Site(48.0, 11.0)

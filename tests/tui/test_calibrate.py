@@ -17,8 +17,8 @@ from birdcage_tui.calibrate.lists import ObjectsPane, PeaksPane, SetsPane
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane, reach_of
 from birdcage_tui.calibrate.tabs import SetupTabs
-from birdcage_tui.footer import KeyBar
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from calibrate_tab import SIZES, flat, pane_text, press, read, run, settle
 
 OWN = (SetupTabs, ScatterPane, AimPane, ObjectsPane, FiguresPane, PeaksPane, SetsPane, OverSkyPane)

@@ -12,8 +12,8 @@ import stand_in
 from birdcage_tui.calibrate.aim import AimPane
 from birdcage_tui.calibrate.lists import ObjectsPane
 from birdcage_tui.calibrate.tabs import SetupTabs
-from birdcage_tui.commands.table import can_move
-from birdcage_tui.footer import KeyBar
+from birdcage_tui.shown.allowed import can_move
+from birdcage_tui.widgets.footer import KeyBar
 from burst import write
 from calibrate_tab import SIZES, press, run, settle
 

@@ -5,13 +5,13 @@ import sys
 
 import pytest
 from birdcage.base.config import load
-from birdcage_tui.canvas import Braille
 from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.elevation import Quarter
-from birdcage_tui.panes.polar import Polar
+from birdcage_tui.drawing.canvas import Braille
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.drawing.terminal_cells import CellAnswers, window_aspect
 from birdcage_tui.panes.sky import SkyPane
-from birdcage_tui.skew import SkewPane
-from birdcage_tui.terminal_cells import CellAnswers, window_aspect
+from birdcage_tui.widgets.skew import SkewPane
 from stage import run
 
 ASPECTS = (1.6, 2.0, 2.1, 2.5)

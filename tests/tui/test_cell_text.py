@@ -3,9 +3,9 @@
 import pytest
 import sky_stand_in
 import stand_in
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cell_len, cut, elide, fit, pad, wrap
-from birdcage_tui.themes import DEFAULT, LOOKS
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, elide, fit, pad, wrap
+from birdcage_tui.drawing.themes import DEFAULT, LOOKS
 from stage import run
 
 FENGYUN, TOKYO = "风云三号", "東京タワーの隣の屋上にある小さなアンテナ"

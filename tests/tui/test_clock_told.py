@@ -10,9 +10,9 @@ import stand_in
 from birdcage.base.clock import RealClock, ScaledClock
 from birdcage.base.paths import throw_away_paths
 from birdcage.gps.verdict import ClockVerdict
-from birdcage_tui.clock_told import ClockTold, clock_told
-from birdcage_tui.clock_watch import ClockWatch, make_check
+from birdcage_tui.feeds.clock_watch import ClockWatch, make_check
 from birdcage_tui.panes.health import HealthPane
+from birdcage_tui.shown.clock_told import ClockTold, clock_told
 
 NOW = datetime(2026, 3, 20, 12, tzinfo=UTC)
 GOOD = ClockVerdict("network", "network time (chrony)", NOW, None, 0.02)
@@ -112,7 +112,7 @@ def test_before_it_was_checked_it_is_a_dash():
 
 
 def test_the_app_checks_on_a_thread_after_its_first_frame(monkeypatch):
-    monkeypatch.setattr("birdcage_tui.clock_watch.FIRST_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.clock_watch.FIRST_S", 0.0)
     release, threads = threading.Event(), []
 
     def check():
@@ -140,8 +140,8 @@ def test_the_app_checks_on_a_thread_after_its_first_frame(monkeypatch):
 
 
 def test_it_is_checked_again_and_again_until_it_is_closed(monkeypatch):
-    monkeypatch.setattr("birdcage_tui.clock_watch.FIRST_S", 0.0)
-    monkeypatch.setattr("birdcage_tui.clock_watch.AGAIN_S", 0.001)
+    monkeypatch.setattr("birdcage_tui.feeds.clock_watch.FIRST_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.clock_watch.AGAIN_S", 0.001)
     enough, shown = threading.Event(), []
 
     def show(told):

@@ -5,8 +5,8 @@ import re
 import pytest
 import stand_in
 from birdcage.station.requests import Unwatch, Watch
-from birdcage_tui.esc_field import LeaveField
 from birdcage_tui.track.offer import OfferLine
+from birdcage_tui.widgets.esc_field import LeaveField
 from places import BY_NAME, PLACES, at, settle
 from stage import run
 

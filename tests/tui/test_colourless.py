@@ -5,8 +5,8 @@ import asyncio
 import pytest
 import stage
 import stand_in
-from birdcage_tui import attributes
-from birdcage_tui.themes import LOOKS
+from birdcage_tui.drawing import attributes
+from birdcage_tui.drawing.themes import LOOKS
 from rich.color import ColorSystem
 
 

@@ -5,9 +5,9 @@ import stand_in
 from birdcage.station.requests import Jog
 from birdcage_tui.commands import COMMANDS, PAGES, for_key, in_force
 from birdcage_tui.commands.jog import STEPS_DEG
-from birdcage_tui.footer import KeyBar
-from birdcage_tui.help import HelpScreen
-from birdcage_tui.jump import targets
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.help import HelpScreen
+from birdcage_tui.widgets.jump import targets
 from stage import run
 from textual.widgets import ContentSwitcher, OptionList
 

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from birdcage_tui.console.entry import ConsoleInput, FindInput
 from birdcage_tui.console.log import LogView
-from birdcage_tui.footer import KeyBar
 from birdcage_tui.panes.pointing import PointingPane
-from birdcage_tui.status import BadDayRow, TopRow
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.status import BadDayRow, TopRow
 from console_desk import desk
 from textual.widgets import ContentSwitcher
 

@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.errors import ConfirmationNeeded, Held, LeaseDenied
 from birdcage.station.raw import CONSOLE, Grade
 from birdcage.station.requests import AcquireLease, ReleaseLease, Unwatch, Watch
-from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import QuestionScreen
 from console_desk import desk
 from stand_in import PROTOCOL
 

@@ -10,9 +10,10 @@ from birdcage.base.paths import Paths
 from birdcage.station.build import open_session
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import AcquireLease
-from birdcage_tui.app import BirdcageApp
 from birdcage_tui.console.entry import ConsoleInput
-from birdcage_tui.settings import AppOptions, SitePlace
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.options import SitePlace
 from stand_in import text_of
 
 

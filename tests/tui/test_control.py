@@ -14,11 +14,11 @@ from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
 from birdcage_tui.control.layout import sizes
 from birdcage_tui.control.tape import span_for
-from birdcage_tui.footer import KeyBar
-from birdcage_tui.goto import GotoLine
-from birdcage_tui.pane import Pane
-from birdcage_tui.settings import SitePlace
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.goto.goto_line import GotoLine
+from birdcage_tui.shown.options import SitePlace
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from stage import read
 from textual.widgets import Input
 

@@ -1,7 +1,8 @@
 """F2 on a real station and a simulated dish: what hands do arrives at the dish, or says why not."""
 
 import pytest
-from birdcage_tui.settings import AppOptions, SitePlace
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shown.options import SitePlace
 from test_end_to_end import House, played, press
 from textual.widgets import Input
 

@@ -15,8 +15,8 @@ from birdcage.station.events import PursuitChanged
 from birdcage.station.known import CableTurn
 from birdcage.station.pursuit_state import Phase
 from birdcage_tui import run
+from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.main import parser
-from birdcage_tui.track_source import make_track
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 

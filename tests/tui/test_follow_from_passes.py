@@ -6,7 +6,7 @@ import pytest
 import stand_in
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Home, Pursue, Release
-from birdcage_tui.goto import GotoLine
+from birdcage_tui.goto.goto_line import GotoLine
 from desk_house import play
 
 SIZES = [(80, 24), (120, 36)]

@@ -46,7 +46,7 @@ def test_why_nothing_would_be_sent_is_whole_in_the_go_to_line(typed):
         await pilot.pause()
         app.paint()
         await pilot.pause()
-        from birdcage_tui.goto import foretell
+        from birdcage_tui.goto.goto_line import foretell
 
         return foretell(typed, app.view(), 38)[1], stand_in.text_of(app)
 

@@ -5,7 +5,7 @@ import io
 
 import pytest
 import stand_in
-from birdcage_tui.stopping import stop_first
+from birdcage_tui.shell.stopping import stop_first
 from textual.drivers._writer_thread import WriterThread
 from textual.drivers.headless_driver import HeadlessDriver
 

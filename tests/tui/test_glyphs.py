@@ -6,11 +6,12 @@ from types import SimpleNamespace
 import pytest
 import stage
 import stand_in
-from birdcage_tui import glyphs, main, run
-from birdcage_tui.canvas import Cells
+from birdcage_tui import main, run
 from birdcage_tui.commands import PAGES
-from birdcage_tui.digits import put_big, width_of
-from birdcage_tui.settings import AppOptions
+from birdcage_tui.drawing import glyphs
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.digits import put_big, width_of
+from birdcage_tui.feeds.settings import AppOptions
 from rich.cells import cell_len
 
 STATE_SIGNS = "●○◍✖▨■▲◉✕☼☾•✓▼◀▶"

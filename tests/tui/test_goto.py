@@ -14,12 +14,12 @@ from birdcage.pursuit.now import Located
 from birdcage.rotator.facts import CableTurn
 from birdcage.sky.targets.direction import AxisWish, Wish, read_direction
 from birdcage.station.requests import Goto
-from birdcage_tui.goto import GotoLine, foretell
-from birdcage_tui.goto_target import aim_of
-from birdcage_tui.goto_text import GotoAim, resolve
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.unready import NO_LOCATION
-from birdcage_tui.view import View
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.goto.goto_line import GotoLine, foretell
+from birdcage_tui.goto.goto_target import aim_of
+from birdcage_tui.goto.goto_text import GotoAim, resolve
+from birdcage_tui.shown.unready import NO_LOCATION
+from birdcage_tui.shown.view import View
 from stage import run
 from textual.widgets import Input
 

@@ -2,8 +2,8 @@
 
 import pytest
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
-from birdcage_tui.footer import KeyBar
-from birdcage_tui.help import HelpScreen
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.help import HelpScreen
 from places import Place, at, settle
 from textual.widgets import Input, OptionList
 

@@ -15,8 +15,8 @@ from birdcage.station.state import Activity
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.horizon import can_mark
 from birdcage_tui.control.horizon_ask import point_of
-from birdcage_tui.control.horizon_file import ConfigHorizon
-from birdcage_tui.pane import Pane
+from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.widgets.pane import Pane
 from horizon_stand_in import TREES, File
 from textual.widgets import Input
 

@@ -6,8 +6,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config import PlaceSettings, Settings
 from birdcage.base.paths import Paths
 from birdcage.sky.horizon import HorizonMask
-from birdcage_tui.control.horizon_book import HorizonBook
-from birdcage_tui.sky_feed import make_sky
+from birdcage_tui.feeds.horizon_book import HorizonBook
+from birdcage_tui.feeds.sky_feed import make_sky
 from horizon_stand_in import File
 from test_end_to_end import House, played, press, type_direction
 

@@ -160,7 +160,8 @@ def test_an_ascii_locale_is_drawn_in_ascii_and_survives_the_farewell(start, env)
 
 MOMENTS = (
     "argparse", "birdcage_tui.run", "birdcage.station.build", "textual.app", "textual.css.parse",
-    "birdcage_tui.app", "birdcage_tui.pages.dashboard", "birdcage.station.control_server", "birdcage_tui.terminal",
+    "birdcage_tui.shell.birdcage_app", "birdcage_tui.pages.dashboard", "birdcage.station.control_server",
+    "birdcage_tui.drawing.terminal",
 )  # fmt: skip
 """Modules whose import stands for a moment of the first second."""
 
@@ -174,7 +175,7 @@ def test_ctrl_c_in_the_first_second_ends_it_without_a_traceback(start, at_import
 
 
 def test_a_fault_in_the_input_thread_is_told_in_the_status(start, at_import):
-    deed = "import birdcage_tui.terminal as it; it.TerminalDriver.run_input_thread = lambda _: 1 // 0"
+    deed = "import birdcage_tui.drawing.terminal as it; it.TerminalDriver.run_input_thread = lambda _: 1 // 0"
     app = start(up=False, env=at_import("birdcage_tui.pages.dashboard", deed))
     assert app.status() == 70
     assert "ZeroDivisionError" in app.text

@@ -9,9 +9,9 @@ import stand_in
 from birdcage.base.presets import load_presets
 from birdcage.station.requests import Goto, Home, Jog, Release
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.goto import GotoLine
-from birdcage_tui.key_queue import settled
+from birdcage_tui.goto.goto_line import GotoLine
+from birdcage_tui.shell.key_queue import settled
+from birdcage_tui.widgets.dialogs import QuestionScreen
 from burst import key_of, settle, typed, write
 from stage import run
 

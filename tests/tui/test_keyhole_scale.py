@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from birdcage_tui.track.scale import error_top, legible_deg
+from birdcage_tui.shown.error_scale import error_top, legible_deg
 from track_stage import read, run
 from track_stand_in import keyhole
 

@@ -9,17 +9,17 @@ import stand_in
 from birdcage.base.beam import beam_of
 from birdcage.base.config import STOCK_FEED
 from birdcage_tui.commands import PAGES
-from birdcage_tui.footer import KeyBar
 from birdcage_tui.pages.register import MADE
-from birdcage_tui.pane import Pane
 from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
-from birdcage_tui.skew import SkewPane
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
-from birdcage_tui.stop_words import stop_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.skew import SkewPane
+from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from stage import read, run, run_each
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]

@@ -13,7 +13,7 @@ import stand_in
 from birdcage.base.paths import Paths
 from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
-from birdcage_tui.settings import AppOptions
+from birdcage_tui.feeds.settings import AppOptions
 
 
 def test_help_and_version_need_no_textual():
@@ -257,7 +257,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
 
 def test_nothing_of_setup_catalogue_or_sky_is_loaded_to_build_the_app(tmp_path):
     late = (
-        "birdcage.setup.engine", "birdcage_tui.sky_source", "birdcage_tui.sky_convert",
+        "birdcage.setup.engine", "birdcage_tui.feeds.sky_source", "birdcage_tui.feeds.sky_convert",
         "birdcage.sky.watch", "birdcage.sky.catalogue", "sqlite3", "importlib.metadata", "numpy", "sgp4",
     )  # fmt: skip
     code = (

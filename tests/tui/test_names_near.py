@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 import sky_stand_in
-from birdcage_tui.panes.polar import Polar
+from birdcage_tui.drawing.polar import Polar
 from birdcage_tui.panes.sky import SkyPane
 from stage import run
 

@@ -6,7 +6,7 @@ import pytest
 import stand_in
 from birdcage.base.presets import Preset
 from birdcage.station.requests import Goto
-from birdcage_tui.goto import GotoLine
+from birdcage_tui.goto.goto_line import GotoLine
 from desk_house import play
 from textual.widgets import Input
 

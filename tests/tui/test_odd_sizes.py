@@ -3,10 +3,10 @@
 import itertools
 
 import pytest
-from birdcage_tui.dialogs import AnswerRow
-from birdcage_tui.footer import KeyBar
-from birdcage_tui.pane import Pane
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.widgets.dialogs import AnswerRow
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from places import BY_NAME, PLACES, Place, at, settle
 from stand_in import text_of
 from textual.widgets import Input, OptionList, Static

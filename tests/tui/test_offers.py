@@ -6,7 +6,7 @@ import pytest
 import sky_stand_in
 import stand_in
 from birdcage.station.requests import Release
-from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import QuestionScreen
 from desk_house import play
 from stage import run
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 import stand_in
-from birdcage_tui.footer import PageBar
+from birdcage_tui.widgets.footer import PageBar
 from stage import run
 from textual.widgets import ContentSwitcher
 

@@ -5,9 +5,9 @@ import asyncio
 import pytest
 import stand_in
 from birdcage.station.requests import Watch
-from birdcage_tui import paging
 from birdcage_tui.commands import COMMANDS, PAGES
 from birdcage_tui.pages.register import MADE
+from birdcage_tui.shell import paging
 from burst import settle, write
 from textual.widgets import ContentSwitcher
 

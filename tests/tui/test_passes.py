@@ -5,8 +5,8 @@ import sky_stand_in
 from birdcage_tui.passes.choose import SORTS, PassFilter, matcher
 from birdcage_tui.passes.layout import VIEWS, layout
 from birdcage_tui.passes.machine import SPEEDS, TimeMachine
-from birdcage_tui.passes.model import InReach, Lost, Path, Row
-from birdcage_tui.passes.words import count_text, length_text, reach_sign, reasons_text, shift_text
+from birdcage_tui.shown.pass_words import count_text, length_text, reach_sign, reasons_text, shift_text
+from birdcage_tui.shown.sky_picture import InReach, Lost, Path, Row
 
 T = sky_stand_in.NOON
 ROWS = sky_stand_in.rows()

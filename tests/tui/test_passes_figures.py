@@ -10,9 +10,9 @@ import sky_stand_in
 from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
+from birdcage_tui.feeds.sky_hearing import hearing_of, tuning_of
 from birdcage_tui.passes.figures import signal_lines, sun_lines
-from birdcage_tui.passes.model import DopplerFrequency
-from birdcage_tui.sky_hearing import hearing_of, tuning_of
+from birdcage_tui.shown.sky_picture import DopplerFrequency
 from stage import read, run
 from stand_in import text_of
 

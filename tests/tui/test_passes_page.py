@@ -6,15 +6,15 @@ from dataclasses import replace
 import pytest
 import sky_stand_in
 from birdcage.station.requests import Unwatch, Watch
-from birdcage_tui.footer import KeyBar
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHeadRow
 from birdcage_tui.passes.listing import PassList
-from birdcage_tui.passes.model import InReach
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
 from birdcage_tui.passes.timeline import WIDE_NAME, Timeline
-from birdcage_tui.status import BadDayRow, StatusLine, StopButton
+from birdcage_tui.shown.sky_picture import InReach
+from birdcage_tui.widgets.footer import KeyBar
+from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from stage import read, run
 from stand_in import text_of
 from textual.widgets import Input

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 import sky_stand_in
 from birdcage_tui.passes.listing import PassList
-from birdcage_tui.passes.model import ShownPath
 from birdcage_tui.passes.plot import PassSky
+from birdcage_tui.shown.sky_picture import ShownPath
 from stage import run
 from stand_in import text_of
 

@@ -9,15 +9,15 @@ import stage
 import stand_in
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.goto import GotoLine
+from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.layout import arrange
 from birdcage_tui.pocket.reading import PocketReading
-from birdcage_tui.status import StatusLine
-from birdcage_tui.words import bad_day
+from birdcage_tui.shown.state_words import bad_day
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.status import StatusLine
 from stage import read
 from textual.widgets import OptionList
 

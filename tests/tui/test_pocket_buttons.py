@@ -9,8 +9,8 @@ import pytest
 import stage
 import stand_in
 from birdcage.ready.check import Check
-from birdcage_tui.control.fields import FieldsScreen
-from birdcage_tui.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.fields_screen import FieldsScreen
 from stage import read
 from test_pocket import click, press, run
 

@@ -7,7 +7,7 @@ import stand_in
 from birdcage.base.presets import Preset
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Goto, Jog
-from birdcage_tui.goto import GotoLine
+from birdcage_tui.goto.goto_line import GotoLine
 from desk_house import play
 from stage import run
 from test_resume import follow

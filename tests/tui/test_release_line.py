@@ -14,10 +14,10 @@ from birdcage.base.reason import Reason
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
 from birdcage.station.state import Activity, HeldState, StopReport, TvSearch
-from birdcage_tui.held_words import after_release
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.view import View
-from birdcage_tui.words import bad_day
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shown.held_words import after_release
+from birdcage_tui.shown.state_words import bad_day
+from birdcage_tui.shown.view import View
 from desk_house import play
 from stage import read, run
 from test_resume import follow

@@ -10,7 +10,7 @@ from birdcage.base.paths import Paths
 from birdcage.sky.catalogue import Catalogue
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Home, Pursue, Release, ReleaseLease
-from birdcage_tui.next_steps import next_steps
+from birdcage_tui.panes.next_steps import next_steps
 from desk_house import play
 
 SIZES = [(80, 24), (120, 36)]

@@ -7,10 +7,10 @@ import sky_stand_in
 import stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.requests import Goto, Release
-from birdcage_tui.goto import GotoLine
-from birdcage_tui.pane import Pane
+from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.panes.next import NextPane
+from birdcage_tui.widgets.pane import Pane
 from stage import read, run
 from textual.widgets import Input
 from track_stage import run as run_track

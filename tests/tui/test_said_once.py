@@ -7,7 +7,7 @@ import sky_stand_in
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky_next import next_rows
-from birdcage_tui.skew import SkewPane
+from birdcage_tui.widgets.skew import SkewPane
 from stage import read, run
 
 SIZES = [(80, 24), (120, 36), (160, 48), (240, 70)]

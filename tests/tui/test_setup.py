@@ -11,10 +11,10 @@ from birdcage.setup.engine import CLEAR_QUESTION
 from birdcage.setup.step import Choice, Field
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage.station.state import LinkPhase, LinkState
-from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.setup.form import ChoiceButton
 from birdcage_tui.setup.steps import StepsPane
-from birdcage_tui.status import BadDayRow
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.status import BadDayRow
 from setup_stage import press, run, settle
 from textual.widgets import Input
 

@@ -23,9 +23,9 @@ from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.station import Station
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.settings import AppOptions
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.widgets.dialogs import QuestionScreen
 from setup_stage import inside
 
 NOON = datetime(2026, 3, 20, 18, 20, 0, tzinfo=UTC)

@@ -10,8 +10,8 @@ from birdcage.station.events import PositionRead, ReadingRead
 from birdcage.station.requests import AcceptLimits, Home, Jog, Unwatch, Watch
 from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
-from birdcage_tui.messages import StationEvent
-from birdcage_tui.shell import FRESH_S, LISTEN_S
+from birdcage_tui.shell.shell import FRESH_S, LISTEN_S
+from birdcage_tui.widgets.messages import StationEvent
 from stage import run
 from textual.widgets import ContentSwitcher, Input
 

@@ -21,11 +21,11 @@ from birdcage.signal.source import Scale, SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER_FACTS, TunerSource
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Unwatch, Watch
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.feeds.signal_source import SessionSignals
 from birdcage_tui.panes.signal import SignalPane
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.signal_book import SignalBook
-from birdcage_tui.signal_source import SessionSignals
-from birdcage_tui.view import View
+from birdcage_tui.shown.signal_book import SignalBook
+from birdcage_tui.shown.view import View
 from test_demo import stage_of_the_pictures, until
 
 from tests.radio.scripted import Desk, sdr

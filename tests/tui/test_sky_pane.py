@@ -7,12 +7,12 @@ import pytest
 import sky_stand_in
 import stand_in
 from birdcage.base.beam import Beam
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.panes.polar import Polar
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.drawing.themes import LOOKS
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.panes.sky_up import draw_up
-from birdcage_tui.passes.model import Up
-from birdcage_tui.themes import LOOKS
+from birdcage_tui.shown.sky_picture import Up
 from stage import read, run
 
 

@@ -11,8 +11,9 @@ from birdcage.link.link import Link
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.station import Station
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.settings import AppOptions, SitePlace
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.options import SitePlace
 
 from tests.shared.night import by_night
 from tests.standin.covering import HEALTHY, STRANGE, pairwise, singles

@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 import stand_in
 from birdcage.station.requests import AcknowledgeFault, Goto, Release
-from birdcage_tui.status import BadDayRow, StopButton
-from birdcage_tui.stopping import stop_first
+from birdcage_tui.shell.stopping import stop_first
+from birdcage_tui.widgets.status import BadDayRow, StopButton
 from stage import run
 from textual.driver import Driver
 from textual.events import Key

@@ -12,7 +12,7 @@ import stand_in
 import textual.containers
 import textual.widgets
 from birdcage.station.requests import Unwatch, Watch
-from birdcage_tui.status import StopButton
+from birdcage_tui.widgets.status import StopButton
 from places import PLACES, at
 from textual.screen import ModalScreen
 from textual.widget import Widget

@@ -23,11 +23,11 @@ from birdcage.rotator.own import OwnFacts
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
 from birdcage.station.state import Activity, HeldState, LinkPhase, LinkState, Motion, StopReport, TvSearch
-from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.stop_words import stop_text
-from birdcage_tui.view import View
-from birdcage_tui.words import bad_day, calm, motion_text
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.panes.next_steps import next_steps
+from birdcage_tui.shown.state_words import bad_day, calm, motion_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.shown.view import View
 from stand_in import STATES
 
 from tests.station.conftest import Bench

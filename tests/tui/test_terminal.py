@@ -12,7 +12,7 @@ import pytest
 if sys.platform == "win32":
     pytest.skip("Textual has another driver there", allow_module_level=True)
 
-from birdcage_tui.terminal import InputDecoder, PasteWatch, TerminalDriver, TerminalFile
+from birdcage_tui.drawing.terminal import InputDecoder, PasteWatch, TerminalDriver, TerminalFile
 from hypothesis import given
 from hypothesis import strategies as some
 from textual import events

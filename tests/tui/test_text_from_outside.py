@@ -14,10 +14,10 @@ from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.observer import Observer
 from birdcage.station.build import open_session
-from birdcage_tui.app import BirdcageApp
+from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.run import _app_settings
-from birdcage_tui.sky_feed import make_sky
-from birdcage_tui.track_source import make_track
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 
 EVIL = "EV\x1b]0;owned\x07\x1b[2J\x9b31mI\u202eL\u2066\u200f\x85X"
 SEEN = "EV]0;own"

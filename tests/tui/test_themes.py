@@ -6,7 +6,7 @@ import itertools
 import pytest
 import sky_stand_in
 import stand_in
-from birdcage_tui.themes import LOOKS, contrast
+from birdcage_tui.drawing.themes import LOOKS, contrast
 
 VISIONS = {
     "deuteranope": ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),

@@ -11,7 +11,7 @@ from birdcage.pursuit.now import Scheduled, Unfinished
 from birdcage.sky.reach_model import Lost, PassReach, Stretch
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
-from birdcage_tui.track.words import reach_words
+from birdcage_tui.shown.track_words import reach_words
 from track_plans import NOON, moon, utc
 from track_stage import SIZES, read, run
 

@@ -3,8 +3,8 @@
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import PlaceSettings
 from birdcage.sky.horizon import HorizonMask
-from birdcage_tui.settings import SitePlace
-from birdcage_tui.track_source import DeskSource
+from birdcage_tui.feeds.track_source import DeskSource
+from birdcage_tui.shown.options import SitePlace
 
 HERE = SitePlace(50.0, 10.0, "here")
 TREES = HorizonMask([(10, 4), (20, 5)])

@@ -14,13 +14,13 @@ from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto, Home, SetSearch, TurnSkew
 from birdcage.station.state import Activity, HeldState, LinkPhase, LinkState, StopReport, TvSearch
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.goto import foretell
-from birdcage_tui.goto_skew import skew_of
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.goto.goto_line import foretell
+from birdcage_tui.goto.goto_skew import skew_of
 from birdcage_tui.panes.health import HealthPane
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.stop_words import stop_text
-from birdcage_tui.view import View
-from birdcage_tui.words import bad_day, calm, ended_text, motion_text
+from birdcage_tui.shown.state_words import bad_day, calm, ended_text, motion_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.shown.view import View
 from stage import read, run
 
 SIZES = [(80, 24), (120, 36), (160, 48)]

@@ -19,11 +19,11 @@ from birdcage.ready.check import Check
 from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.frozen import frozen
 from birdcage.station.state import LinkPhase, LinkState, TvSearch
-from birdcage_tui.control.fields import FieldsScreen
+from birdcage_tui.feeds.ready_watch import KeptChecks, ReadyWatch
 from birdcage_tui.panes.next import NextPane
-from birdcage_tui.ready_watch import KeptChecks, ReadyWatch
 from birdcage_tui.run import _build
-from birdcage_tui.unready import worst
+from birdcage_tui.shown.unready import worst
+from birdcage_tui.widgets.fields_screen import FieldsScreen
 
 NO_PLACE = Check("place", "place", "must", "not set", "birdcage place add")
 SHIPPED = Check("elements", "elements", "must", "only the few old sets of birdcage", "birdcage elements update")
@@ -260,8 +260,8 @@ def test_what_was_skipped_in_the_setup_is_decided(tmp_path):
 
 
 def test_it_is_looked_for_on_a_thread_of_its_own_and_a_failure_is_no_finding(monkeypatch):
-    monkeypatch.setattr("birdcage_tui.ready_watch.FIRST_S", 0.0)
-    monkeypatch.setattr("birdcage_tui.ready_watch.LOOK_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.ready_watch.FIRST_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.ready_watch.LOOK_S", 0.0)
     seen, enough = [], threading.Event()
 
     class Source:
@@ -295,8 +295,8 @@ def test_it_is_looked_for_on_a_thread_of_its_own_and_a_failure_is_no_finding(mon
 
 
 def test_files_that_stay_are_read_once(monkeypatch):
-    monkeypatch.setattr("birdcage_tui.ready_watch.FIRST_S", 0.0)
-    monkeypatch.setattr("birdcage_tui.ready_watch.LOOK_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.ready_watch.FIRST_S", 0.0)
+    monkeypatch.setattr("birdcage_tui.feeds.ready_watch.LOOK_S", 0.0)
     looks, read, enough = [], [], threading.Event()
 
     class Source(Found):

@@ -9,12 +9,12 @@ from birdcage.station.events import MoveEnded
 from birdcage.station.requests import Goto, Release
 from birdcage.station.state import Activity
 from birdcage_tui.control.last import _hint
-from birdcage_tui.held_words import held_words
-from birdcage_tui.next_steps import next_steps
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.stop_words import stop_text
-from birdcage_tui.view import View
-from birdcage_tui.words import ended_text, motion_text
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.panes.next_steps import next_steps
+from birdcage_tui.shown.held_words import held_words
+from birdcage_tui.shown.state_words import ended_text, motion_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.shown.view import View
 
 from tests.station.conftest import Bench
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 
 from birdcage.station.events import End, MoveEnded
-from birdcage_tui.words import ended_text, motion_text
+from birdcage_tui.shown.state_words import ended_text, motion_text
 
 from .test_travler import view_of
 

@@ -13,12 +13,13 @@ from birdcage.sky.footprint import footprint
 from birdcage.sky.observer import Observer
 from birdcage.sky.terminator import SubSolar
 from birdcage.sky.world import SubPoint, WorldView
-from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.feeds.world_ask import Ask, world_of
 from birdcage_tui.passes.listing import PassList
-from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.world_map import WorldMapPane, place_text
-from birdcage_tui.passes.world_map_ask import Ask, PassWorld, seen_text, world_of
+from birdcage_tui.passes.world_map_ask import PassWorld, seen_text
 from birdcage_tui.passes.world_map_chart import Chart, Layers
+from birdcage_tui.shown.sky_picture import Row
 from stage import run
 from stand_in import text_of
 

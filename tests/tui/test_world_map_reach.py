@@ -8,8 +8,8 @@ import pytest
 import sky_stand_in
 from birdcage.sky.world import SubPoint
 from birdcage.station.pursuit_state import Phase
-from birdcage_tui.passes.model import InReach
 from birdcage_tui.passes.world_map_ask import reach_span_text
+from birdcage_tui.shown.sky_picture import InReach
 from test_world_map import VIEW, drawn, followed, rows_of
 
 

@@ -18,7 +18,7 @@ from birdcage.sky.skew import Skew
 from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit, PursuitOptions
 from birdcage.station.state import Activity, HeldState
 from birdcage.tracking.plan import PlanTarget
-from birdcage_tui.view import SignalSample as Heard
+from birdcage_tui.shown.view import SignalSample as Heard
 from track_plans import NOON, believed, geo, moon, plan, utc
 
 

@@ -24,20 +24,21 @@ from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.session import Session
 from birdcage.station.turn_memory import DishAsLeft, leave
 
-from birdcage_tui.app import BirdcageApp
-from birdcage_tui.calibrate.source import make_calibrate
-from birdcage_tui.clock_watch import make_check
-from birdcage_tui.control.horizon_file import ConfigHorizon
-from birdcage_tui.glyphs import fitting
-from birdcage_tui.ready_watch import KeptChecks
-from birdcage_tui.settings import AppOptions, SitePlace
-from birdcage_tui.signal_source import SessionSignals
-from birdcage_tui.sky_feed import make_sky
-from birdcage_tui.terminal_cells import ASPECT
-from birdcage_tui.track_source import make_track
+from birdcage_tui.drawing.glyphs import fitting
+from birdcage_tui.drawing.terminal_cells import ASPECT
+from birdcage_tui.feeds.calibrate_source import make_calibrate
+from birdcage_tui.feeds.clock_watch import make_check
+from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.feeds.ready_watch import KeptChecks
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.feeds.signal_source import SessionSignals
+from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.feeds.track_source import make_track
+from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.options import SitePlace
 
 if TYPE_CHECKING:
-    from birdcage_tui.setup.engine import SetupEngine
+    from birdcage_tui.feeds.setup_engine import SetupEngine
 
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
@@ -203,7 +204,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
         "app.glyphs": options.glyphs,
     }
     if options.demo:
-        from birdcage_tui.demo_radio import radio_flags, write_downlinks
+        from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
 
         flags |= radio_flags(paths, dish)
         remember_demo(paths, demo_firmware)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.calibration.expected import expected
 from birdcage.calibration.peak import SLOT_RISE_DB, sigma_by_hand
-from birdcage.sky.downlinks import load_downlinks
 from birdcage.sky.downlinks_hearing import may_hear_slot
+from birdcage.sky.downlinks_read import load_downlinks
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.rise import LEAST_DB, Ear, expected_rise_db
 from birdcage.sky.slots import slots

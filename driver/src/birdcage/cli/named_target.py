@@ -50,7 +50,7 @@ def resolver_of(paths: Paths, file: Path | None, tell: Callable[[str], None]) ->
 
     `tell` gets what is wrong with the satellites' file.
     """
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.targets import Resolver
 
     return Resolver(_Shelf(paths, file, tell), load_downlinks(paths.downlinks_file))

@@ -17,10 +17,10 @@ from typing import TypeVar
 
 from birdcage.base.clock import Clock, RealClock, WaitOutcome
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
+from birdcage.protocol.firmware import FirmwareProtocol
 from birdcage.protocol.generic import GENERIC_FACTS, GENERIC_FEATURES
 from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.protocol.motors import MOTORS, told
-from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.unhomed import unreadable
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder

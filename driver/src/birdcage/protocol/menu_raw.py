@@ -8,7 +8,7 @@ from birdcage.base.errors import NoReply
 from birdcage.console.events import Reply
 from birdcage.console.raw import Typed
 from birdcage.protocol.command_list import parse_help
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.protocol.firmware import FirmwareProtocol
 from birdcage.rotator.raw import CommandDoc, Permit, RawAnswer
 from birdcage.rotator.verdict import Grade, Verdict
 

@@ -10,9 +10,9 @@ from birdcage.base.errors import CommandRefused
 from birdcage.console.places import is_of_help
 from birdcage.console.session import Console
 from birdcage.link.link import Link
+from birdcage.protocol.firmware import FirmwareProtocol
 from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.motors import AZIMUTH, ELEVATION, MOTORS, SKEW, told
-from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of

@@ -34,7 +34,7 @@ class Finder:
     def refresh(self) -> bool:
         """Read the catalogue if its file has changed; return whether it had. The sets that ship where it is empty."""
         from birdcage.sky.catalogue import CatalogueEntry, SearchIndex
-        from birdcage.sky.downlinks import load_downlinks
+        from birdcage.sky.downlinks_read import load_downlinks
         from birdcage.sky.frozen import frozen
         from birdcage.sky.targets import Resolver
         from birdcage.sky.watch_source import read_entries

@@ -23,8 +23,8 @@ def sent_by(
 
     `downlinks`: the user's own table, which need not be there.
     """
-    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import first_heard
+    from birdcage.sky.downlinks_read import load_downlinks
 
     table = load_downlinks(downlinks)
     sent = tuple(each for each in table.of(elements.norad_id, elements.name) if each.alive is not False)

@@ -36,7 +36,7 @@ def find_candidates(
     """
     import numpy as np
 
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.pass_row import rows_of
     from birdcage.sky.passes.search import search
     from birdcage.sky.propagate import Fleet

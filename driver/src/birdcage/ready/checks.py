@@ -186,7 +186,7 @@ def feed(settings: Settings) -> Check:
 
 def downlinks(paths: Paths) -> Check:
     """Whether the user's own table of downlinks could be read."""
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
 
     table = load_downlinks(paths.downlinks_file)
     if table.problems:

@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from functools import cache
-from pathlib import Path
 from typing import Literal
 
 Polarization = Literal["RHCP", "LHCP", "circular", "horizontal", "vertical", "linear"]
@@ -119,29 +117,3 @@ class Downlinks:
             if each.longitude_deg is not None
             and abs((each.longitude_deg - longitude_deg + 180.0) % 360.0 - 180.0) <= SAME_SLOT_DEG
         )
-
-
-@cache
-def shipped() -> tuple[Downlink, ...]:
-    """Return the table that ships, in its order: by band, then by satellite."""
-    from importlib.resources import files
-
-    from birdcage.sky.downlinks_read import read_table
-
-    text = (files("birdcage.sky") / "data" / "downlinks.toml").read_text(encoding="utf-8")
-    entries, problems = read_table(text, "downlinks.toml")
-    if problems:
-        raise ValueError(problems[0])
-    return entries
-
-
-def load_downlinks(user_file: Path | None = None) -> Downlinks:
-    """Return the table with the user's file over it: an entry of the same satellite and frequency replaces ours.
-
-    A file that is absent is empty. Nothing is raised: what is wrong with it stands in `problems` and does not count.
-    """
-    from birdcage.sky.downlinks_read import read_file
-
-    own, problems = ((), ()) if user_file is None else read_file(user_file)
-    replaced = {each.key for each in own}
-    return Downlinks((*own, *(each for each in shipped() if each.key not in replaced)), problems)

@@ -1,4 +1,4 @@
-"""Reads tables of downlinks, and says by file, line and key what is wrong with them."""
+"""Reads the tables of downlinks, ours and the user's own, and says by file, line and key what is wrong with them."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ import re
 import tomllib
 from collections.abc import Mapping
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 
 from birdcage.base.config.value import did_you_mean
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
-from birdcage.sky.downlinks import POLARIZATIONS, Downlink, plain
+from birdcage.sky.downlinks import POLARIZATIONS, Downlink, Downlinks, plain
 from birdcage.sky.slots import slots
 
 KEYS = ("satellite", "freq_mhz", "mode", "polarization", "alive", "silent_since", "source", "date", "norad_id",
@@ -23,6 +24,26 @@ _PIPELINE = re.compile(r"[A-Za-z0-9_-]+")
 _DATE = re.compile(r"\d{4}(-(0[1-9]|1[0-2])(-(0[1-9]|[12]\d|3[01]))?)?")
 
 Read = tuple[tuple[Downlink, ...], tuple[str, ...]]
+
+
+@cache
+def shipped() -> tuple[Downlink, ...]:
+    """Return the table that ships, in its order: by band, then by satellite."""
+    text = (files("birdcage.sky") / "data" / "downlinks.toml").read_text(encoding="utf-8")
+    entries, problems = read_table(text, "downlinks.toml")
+    if problems:
+        raise ValueError(problems[0])
+    return entries
+
+
+def load_downlinks(user_file: Path | None = None) -> Downlinks:
+    """Return the table with the user's file over it: an entry of the same satellite and frequency replaces ours.
+
+    A file that is absent is empty. Nothing is raised: what is wrong with it stands in `problems` and does not count.
+    """
+    own, problems = ((), ()) if user_file is None else read_file(user_file)
+    replaced = {each.key for each in own}
+    return Downlinks((*own, *(each for each in shipped() if each.key not in replaced)), problems)
 
 
 def read_file(path: Path) -> Read:

@@ -9,16 +9,16 @@ from birdcage.base.geometry import shortest_turn
 
 from birdcage_tui.calibrate.lists import ObjectsPane
 from birdcage_tui.calibrate.words import aside, direction, put_wrapped
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.commands.mending import motion_mend
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView
 
-    from birdcage_tui.calibrate.feed import CalibrateNow
+    from birdcage_tui.shown.calibration import CalibrateNow
 
 LABEL = 12
 HEARD_S = 30.0

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
 if TYPE_CHECKING:
-    from birdcage_tui.calibrate.feed import CalibrateNow
+    from birdcage_tui.shown.calibration import CalibrateNow
 
 LONGEST = 40
 

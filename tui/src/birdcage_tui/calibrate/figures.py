@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage_tui.calibrate.words import ENOUGH, TERMS, figure_rows, fitted_words, put_wrapped
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit
 
-    from birdcage_tui.calibrate.feed import CalibrateNow
+    from birdcage_tui.shown.calibration import CalibrateNow
 
 LABEL = 11
 TERMS_WIDTH = 36

@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, cast
 from textual import events
 
 from birdcage_tui.calibrate.words import maybe, put_wrapped
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, pad, wrap
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, pad, wrap
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView
 
-    from birdcage_tui.calibrate.feed import CalibrateNow, KeptSet
+    from birdcage_tui.shown.calibration import CalibrateNow, KeptSet
 
 
 DIRECTION_FROM = 48

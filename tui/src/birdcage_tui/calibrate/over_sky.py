@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage_tui.calibrate.scatter import NICE_DEG
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView

@@ -6,9 +6,9 @@ import math
 from typing import TYPE_CHECKING
 
 from birdcage_tui.calibrate.words import BEGIN, put_wrapped
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 TITLE = "from wires to the first satellite"
 TABS = (("setup", "page-setup", "8", "Setup"), ("calibrate", "tab-calibrate", "C", "Calibrate"))

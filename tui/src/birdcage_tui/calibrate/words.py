@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
 
 if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit

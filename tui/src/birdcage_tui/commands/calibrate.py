@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 
-from birdcage_tui.commands.table import Command, Reason, always, can_move, can_release
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command, Reason, always
+from birdcage_tui.shown.allowed import can_move, can_release
+from birdcage_tui.shown.view import View
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView

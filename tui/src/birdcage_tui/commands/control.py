@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from birdcage.base.config import feed_label
 
-from birdcage_tui.commands.table import Command, can_move, can_release
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_move, can_release
+from birdcage_tui.shown.view import View
 
 PAGE, HERE = "control", ("control",)
 DIGITS, PRESETS = ("digits",), ("presets",)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from birdcage.station.known import SearchSwitch
 from birdcage.station.state import TvSearch
 
-from birdcage_tui.commands.table import Command, can_home, can_release
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_home, can_release
+from birdcage_tui.shown.view import View
 
 
 def can_end_search(view: View) -> str | None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, can_step
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_step
+from birdcage_tui.shown.view import View
 
 WHERE = ("dashboard", "control", "pocket")
 STEPPED = (*WHERE, "calibrate")

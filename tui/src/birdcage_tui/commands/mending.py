@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from birdcage.station.state import Activity
 
-from birdcage_tui.commands.table import Command, can_move, can_release, can_step
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_move, can_release, can_step
+from birdcage_tui.shown.view import View
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
 
 HERE = ("passes",)
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, can_release
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.view import View
 
 PAGE, LIST = "pocket", ("pocket-passes",)
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, can_move
+from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import can_move
 
 WHERE = ("setup",)
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from birdcage_tui.commands.table import Command, Reason, can_release, can_step
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.view import View
+from birdcage_tui.commands.table import Command, Reason
+from birdcage_tui.shown.allowed import can_release, can_step
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.view import View
 
 PAGE, HERE = "control", ("craft",)
 TABS = ("control", "craft", "network")

@@ -11,8 +11,8 @@ from birdcage_tui.console import saying
 from birdcage_tui.console.complete import Completion, matching, named
 from birdcage_tui.console.history import History
 from birdcage_tui.console.lines_sent import LinesSent
-from birdcage_tui.stop_words import esc_text
-from birdcage_tui.view import YOU, View
+from birdcage_tui.shown.stop_words import esc_text
+from birdcage_tui.shown.view import YOU, View
 
 if TYPE_CHECKING:
     from birdcage.station.station import Station

@@ -9,8 +9,8 @@ from typing import cast
 from textual.binding import Binding
 from textual.widgets import Input
 
-from birdcage_tui.esc_field import LeaveField
-from birdcage_tui.host import AppHost
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.widgets.esc_field import LeaveField
 
 
 class ConsoleInput(Input):

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from rich.style import Style
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import pad, wrap
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.pane import Pane
-from birdcage_tui.themes import DEFAULT, LOOKS
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import pad, wrap
+from birdcage_tui.drawing.themes import DEFAULT, LOOKS
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 LONGEST_HINT = 5
 Keys = tuple[tuple[str, str], ...]

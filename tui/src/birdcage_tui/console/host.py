@@ -9,8 +9,8 @@ from birdcage.station.session import Session
 from birdcage.station.station import Station
 
 from birdcage_tui.console.tap import WireTap
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.view import View
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shown.view import View
 
 
 class ConsoleHost(Protocol):

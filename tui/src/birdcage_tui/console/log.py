@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from textual import events
 
-from birdcage_tui.canvas import Cells
 from birdcage_tui.console.lines import CellRow, LogLine, Stamps
 from birdcage_tui.console.scrollback import KEPT, Scrollback
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 WHEEL_ROWS = 3
 EMPTY = ("No traffic yet.", "Every line on the wire shows here with its time.")

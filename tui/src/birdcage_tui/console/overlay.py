@@ -13,7 +13,6 @@ from textual.timer import Timer
 from textual.widget import Widget
 from textual.widgets import Input
 
-from birdcage_tui.commands.table import can_release
 from birdcage_tui.console import saying
 from birdcage_tui.console.asking import Asking
 from birdcage_tui.console.entry import ConsoleInput, FindInput, Purpose
@@ -24,10 +23,11 @@ from birdcage_tui.console.lines_sent import LinesSent
 from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
 from birdcage_tui.console.wire_log import WireLog
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import AppHost
-from birdcage_tui.stop_words import esc_text
-from birdcage_tui.view import View
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.stop_words import esc_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.dialogs import QuestionScreen
 
 FLUSH_S = 0.1
 """Between two looks at the wire: so many lines a second as there may be, ten pictures of them."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from birdcage.station.raw import CONSOLE, IDLE_S, Grade, MenuCommand, Verdict
 from birdcage.station.state import LinkPhase
 
-from birdcage_tui.view import View
-from birdcage_tui.words import age_text
+from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.view import View
 
 GRADES = {
     Grade.HARMLESS: ("", ""),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from birdcage.station.known import speed_of
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 BUTTONS = (("home", "home"), ("engage", "engage"), ("release-motors", "release"), ("stow", "stow"))
 

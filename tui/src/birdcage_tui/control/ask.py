@@ -9,11 +9,11 @@ from typing import NamedTuple
 from birdcage.base.presets import Preset, checked
 from birdcage.station.known import speed_of
 
-from birdcage_tui.control.book import PresetBook
-from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
-from birdcage_tui.goto_text import is_direction
-from birdcage_tui.stop_words import power_switch
-from birdcage_tui.view import View
+from birdcage_tui.feeds.preset_book import PresetBook
+from birdcage_tui.goto.goto_text import is_direction
+from birdcage_tui.shown.stop_words import power_switch
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
 Change = Callable[[], str]
 """Changes the presets; returns what was done. ConfigError says why not."""

@@ -7,11 +7,11 @@ import math
 from birdcage.station.known import CableTurn
 from birdcage.station.turning import cable_limits
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.control.reach import turns_to
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.goto.reach import turns_to
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import UNKNOWN_SIGN
 
 ROOM_TO_SAY = 78
 """From this width on a gauge without words says where its figure comes from."""

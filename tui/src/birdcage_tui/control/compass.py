@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from birdcage_tui.canvas import Braille
-from birdcage_tui.terminal_cells import ASPECT
+from birdcage_tui.drawing.canvas import Braille
+from birdcage_tui.drawing.terminal_cells import ASPECT
 
 
 @dataclass(frozen=True, slots=True)

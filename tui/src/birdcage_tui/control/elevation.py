@@ -8,14 +8,14 @@ from typing import cast
 
 from textual import events
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.tape import ROWS, draw_tape
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.terminal_cells import ASPECT
-from birdcage_tui.track.shown_pursuit import aimed_at
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.needle import draw_needle
+from birdcage_tui.drawing.terminal_cells import ASPECT
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.pursuit import aimed_at
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 UNDER_DEG = 3.0
 """A target nearer than this lies under the needle: its ray would only break it."""

@@ -7,8 +7,8 @@ import re
 
 from birdcage.sky.horizon import HorizonMask
 
-from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
-from birdcage_tui.control.horizon_state import count_text
+from birdcage_tui.shown.horizon_state import count_text
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
 EXAMPLE = "azimuth and elevation: 231 12.3"
 _TIGHT_COMMA = re.compile(r"(?<=\d),(?=\d)")

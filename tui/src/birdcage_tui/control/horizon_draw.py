@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from birdcage.sky.horizon import HorizonMask
 
-from birdcage_tui.canvas import Braille
 from birdcage_tui.control.compass import Compass
+from birdcage_tui.drawing.canvas import Braille
 
 STEP_DEG = 2
 LEAST_DEG = 0.5

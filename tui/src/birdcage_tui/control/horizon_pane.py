@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.control.horizon_state import count_text
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.horizon_state import count_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 KEYS = (
     ("horizon-mark", "mark"),

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, wrap
-from birdcage_tui.commands.table import can_move
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.panes.sky_next import HEADING, draw_next, next_rows
-from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.shown_pursuit import pursuit_of, told_before_following
-from birdcage_tui.view import CommandNote, View
+from birdcage_tui.shown.allowed import can_move
+from birdcage_tui.shown.pursuit import pursuit_of, told_before_following
+from birdcage_tui.shown.stop_words import esc_text
+from birdcage_tui.shown.view import CommandNote, View
+from birdcage_tui.widgets.pane import Pane
 
 TIME = 11
 """Columns that the time of a command takes, with the gap after it."""

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
 from birdcage_tui.control.last import LogPane
-from birdcage_tui.held_words import after_release
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
 from birdcage_tui.panes.sky import SkyPane
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import live_words, next_words, plain_name
-from birdcage_tui.view import YOU, View
+from birdcage_tui.shown.held_words import after_release
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.track_words import live_words, next_words, plain_name
+from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.widgets.pane import Pane
 
 Row = tuple[str, str, str]
 """A name, the ink of the words after it, and the words."""

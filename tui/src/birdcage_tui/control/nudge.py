@@ -7,12 +7,12 @@ from typing import cast
 from birdcage.station.requests import Jog
 from textual import events
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.digits import angle_text
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.track.shown_pursuit import aimed_at
-from birdcage_tui.view import YOU, View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.digits import angle_text
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.pursuit import aimed_at
+from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.widgets.pane import Pane
 
 STEPS = ((10.0, 0.0), (1.0, 0.0), (0.1, 0.0), (0.01, 0.0), (0.0, 10.0), (0.0, 1.0), (0.0, 0.1), (0.0, 0.01))
 """What one step of each digit is, from the left: azimuth, then elevation. Hundreds follow by carrying: no single key

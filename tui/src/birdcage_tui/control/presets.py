@@ -12,15 +12,15 @@ from textual.containers import Vertical
 from textual.geometry import Region
 from textual.widgets import Input
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut, elide, pad, wrap
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.sky_directions import SkyDirection, sky_directions
-from birdcage_tui.esc_field import EscField
-from birdcage_tui.host import AppHost
-from birdcage_tui.pages.page import Page
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, elide, pad, wrap
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.esc_field import EscField
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.pane import Pane
 
 KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut, pad, wrap
-from birdcage_tui.digits import angle_text, put_big, width_of
-from birdcage_tui.goto_text import wind_of
-from birdcage_tui.pane import Pane
-from birdcage_tui.stop_words import stop_text
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import headline, live_words, plain_name
-from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text, uncertainty_text
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, pad, wrap
+from birdcage_tui.drawing.digits import angle_text, put_big, width_of
+from birdcage_tui.goto.goto_text import wind_of
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.state_words import age_text, motion_text, uncertainty_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.shown.track_words import headline, live_words, plain_name
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 
 class ReadoutPane(Pane):

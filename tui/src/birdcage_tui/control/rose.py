@@ -9,19 +9,19 @@ from birdcage.sky.sun import sun
 from birdcage.station.turning import cable_limits
 from textual import events
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cell_len
 from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.horizon_draw import draw_skyline
-from birdcage_tui.control.needle import draw_needle
 from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.control.unknown import why_unknown
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.sky_ground import STOP_SIGN
-from birdcage_tui.track.shown_pursuit import aimed_at
-from birdcage_tui.view import View
-from birdcage_tui.words import uncertainty_text
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import cell_len
+from birdcage_tui.drawing.needle import draw_needle
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.pursuit import aimed_at
+from birdcage_tui.shown.state_words import uncertainty_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import STOP_SIGN
 
 STOP_WEDGE_DEG = 7.0
 """How much of the rose beyond a stop of the cable is hatched."""

@@ -10,13 +10,13 @@ from textual.app import ComposeResult
 from textual.containers import Vertical
 from textual.widgets import Static
 
-from birdcage_tui.canvas import Cells
 from birdcage_tui.control.sketch import TOP_DEG, Sketch
-from birdcage_tui.dialogs import Dialog
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.status import TopRow
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.dialogs import Dialog
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.status import TopRow
 
 SCALE = 4
 """Columns at the left for the degrees."""

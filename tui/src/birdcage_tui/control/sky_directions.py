@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from birdcage.sky.geostationary import slots_in_sight
 
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
 
 
 @dataclass(frozen=True, slots=True)

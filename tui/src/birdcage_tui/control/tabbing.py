@@ -7,9 +7,9 @@ from typing import Protocol, cast
 from textual.widget import Widget
 
 from birdcage_tui.control.tabs import TABS, TabRow, tab_for
-from birdcage_tui.host import AppHost
-from birdcage_tui.pages.page import Page
-from birdcage_tui.view import View
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.page import Page
 
 FOCUS = {"manual": "#rose", "presets": "#presets"}
 SCOPES = {"craft": "craft", "network": "network"}

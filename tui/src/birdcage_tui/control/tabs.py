@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 TABS = ("manual", "presets", "craft", "network")
 

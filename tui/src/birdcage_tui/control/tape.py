@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 from birdcage.base.geometry import shortest_turn
 
-from birdcage_tui.canvas import Braille, Cells
+from birdcage_tui.drawing.canvas import Braille, Cells
 
 SPANS_DEG = (5.0, 4.0, 3.0, 2.0, 1.0)
 """How far the scale reaches to either side; the widest on which tenths can still be told."""

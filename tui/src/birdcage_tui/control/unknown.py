@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from birdcage.station.state import Activity, LinkPhase
 
-from birdcage_tui.view import View
-from birdcage_tui.words import home_hint
+from birdcage_tui.shown.state_words import home_hint
+from birdcage_tui.shown.view import View
 
 _LOST = {
     "released": "MOTORS RELEASED",

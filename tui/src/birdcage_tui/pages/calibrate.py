@@ -10,21 +10,21 @@ from textual.containers import Container
 
 from birdcage_tui.calibrate import ask
 from birdcage_tui.calibrate.aim import AimPane
-from birdcage_tui.calibrate.feed import CalibrateSource
 from birdcage_tui.calibrate.figures import FiguresPane, rows_needed, said_below
 from birdcage_tui.calibrate.layout import regions
 from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane, present_row
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane
 from birdcage_tui.calibrate.tabs import SetupTabs
-from birdcage_tui.commands.table import can_release
-from birdcage_tui.control.fields import Values
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import AppHost
-from birdcage_tui.pages.page import Page
-from birdcage_tui.pane import Pane
+from birdcage_tui.feeds.calibrate_feed import CalibrateSource
+from birdcage_tui.feeds.host import AppHost
 from birdcage_tui.panes.signal import SignalPane
-from birdcage_tui.view import View
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.fields_screen import Values
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.calibration.candidates import CalibrationObject

@@ -11,7 +11,6 @@ from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
-from birdcage_tui.commands.table import can_release
 from birdcage_tui.control import ask
 from birdcage_tui.control.actions import ActionsPane
 from birdcage_tui.control.cable import CablePane
@@ -23,15 +22,16 @@ from birdcage_tui.control.last import LastLine, LogPane
 from birdcage_tui.control.layout import WITH_ARC, sizes
 from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
-from birdcage_tui.control.reach import refusal_of
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
 from birdcage_tui.control.tabbing import Tabbed
 from birdcage_tui.control.tabs import TabRow
-from birdcage_tui.dialogs import QuestionScreen
-from birdcage_tui.host import AppHost
-from birdcage_tui.skew import SkewPane, has_skew
-from birdcage_tui.view import YOU, View
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.goto.reach import refusal_of
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.skew import SkewPane, has_skew
 
 
 class ControlPage(Tabbed):

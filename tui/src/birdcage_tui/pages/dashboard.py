@@ -5,15 +5,15 @@ from __future__ import annotations
 from textual.app import ComposeResult
 from textual.containers import Vertical
 
-from birdcage_tui.pages.page import Page
+from birdcage_tui.drawing.terminal_cells import ASPECT
 from birdcage_tui.panes.health import HealthPane
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
-from birdcage_tui.skew import SkewPane, has_skew
-from birdcage_tui.terminal_cells import ASPECT
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.skew import SkewPane, has_skew
 
 LEAST_FOR_HEALTH = 31
 """Rows from which there is one for everything."""

@@ -11,11 +11,7 @@ from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
 from textual.widgets import Input
 
-from birdcage_tui.control.fields import Values
-from birdcage_tui.esc_field import EscField
-from birdcage_tui.host import AppHost
-from birdcage_tui.pages.page import Page
-from birdcage_tui.pane import Pane
+from birdcage_tui.feeds.host import AppHost
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHeadRow
 from birdcage_tui.passes.layout import BESIDE_MAP, MAP_LIST, VIEWS, PassesLayout, layout
@@ -27,8 +23,12 @@ from birdcage_tui.passes.time_ask import time_screen
 from birdcage_tui.passes.time_text import moment_of
 from birdcage_tui.passes.timeline import Timeline
 from birdcage_tui.passes.world_map_ask import PassWorld
-from birdcage_tui.track.offer import Offer
-from birdcage_tui.view import View
+from birdcage_tui.shown.offer import Offer
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.esc_field import EscField
+from birdcage_tui.widgets.fields_screen import Values
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.pane import Pane
 
 SHIFTS_S = {"time-back": -60.0, "time-forward": 60.0, "time-far-back": -1800.0, "time-far-forward": 1800.0}
 RUN_S = 0.25

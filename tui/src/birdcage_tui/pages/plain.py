@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from textual.app import ComposeResult
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
 from birdcage_tui.commands import PAGES
-from birdcage_tui.pages.page import Page
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.pane import Pane
 
 WILL = {
     "signal": (

@@ -5,7 +5,6 @@ from __future__ import annotations
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
-from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
@@ -13,8 +12,9 @@ from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.layout import PocketLayout, arrange
 from birdcage_tui.pocket.passes import PocketPasses
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
-from birdcage_tui.skew import has_skew
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.skew import has_skew
 
 
 class PocketPage(Page):

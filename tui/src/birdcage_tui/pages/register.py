@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from birdcage_tui.pages.page import Page
 from birdcage_tui.pages.plain import PlainPage
+from birdcage_tui.widgets.page import Page
 
 MADE = {
     "setup": ("birdcage_tui.pages.setup", "SetupPage"),

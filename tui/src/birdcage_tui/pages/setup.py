@@ -9,10 +9,10 @@ from birdcage.setup.engine import clear_question
 from birdcage.setup.step import Choice
 from textual import events, on
 
-from birdcage_tui.dialogs import QuestionScreen
 from birdcage_tui.setup.body import SetupBody
 from birdcage_tui.setup.form import AnswerForm, ChoiceButton
 from birdcage_tui.setup.steps import StepsPane
+from birdcage_tui.widgets.dialogs import QuestionScreen
 
 
 class SetupPage(SetupBody):

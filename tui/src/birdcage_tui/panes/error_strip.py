@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.track.scale import legible_deg
-from birdcage_tui.track.shown_pursuit import sample_of
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.shown.error_scale import legible_deg
+from birdcage_tui.shown.pursuit import sample_of
+from birdcage_tui.shown.view import View
 
 LEAST_WIDTH, MOST_WIDTH = 24, 60
 LEAST_TOP_DEG = 0.1

@@ -5,13 +5,13 @@ from __future__ import annotations
 from birdcage.base.config import feed_label
 from birdcage.station.state import LinkPhase, StationState
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut
 from birdcage_tui.commands.everywhere import can_end_search
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut
 from birdcage_tui.panes.link_strip import ROWS, draw_link_strip
-from birdcage_tui.view import View
-from birdcage_tui.words import LINK, SEARCH, age_text
+from birdcage_tui.shown.state_words import LINK, SEARCH, age_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 _OK, _NO, _UNKNOWN = ("●", "good"), ("▲", "warn"), ("·", "dim")
 

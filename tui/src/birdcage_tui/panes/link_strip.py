@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cut
-from birdcage_tui.view import Trip, View
-from birdcage_tui.words import age_text
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.view import Trip, View
 
 COLUMN_S = 5.0
 """Seconds that a column of cells stands for."""

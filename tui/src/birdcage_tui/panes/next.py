@@ -6,19 +6,19 @@ from typing import TYPE_CHECKING
 
 from birdcage.station.pursuit_state import Phase
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
-from birdcage_tui.next_steps import next_steps
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.panes.next_steps import next_steps
 from birdcage_tui.panes.sky_next import HEADING, WITH_AZIMUTHS, draw_next, next_rows, troubled
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import plain_name
-from birdcage_tui.unready import worst
-from birdcage_tui.view import View
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.track_words import plain_name
+from birdcage_tui.shown.unready import worst
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
-    from birdcage_tui.passes.model import Row
-    from birdcage_tui.passes.spark import Sparks
+    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.widgets.spark import Sparks
 
 WITH_HEADING = 4
 """Passes from which on their list has a heading, where it is wide."""
@@ -83,7 +83,7 @@ class NextPane(Pane):
             cells.put(1, y, HEADING, "dim")
             y, kept = y + 1, kept - 1
         if kept and self._sparks is None and cells.width >= WITH_AZIMUTHS:
-            from birdcage_tui.passes.spark import Sparks  # rows are there, so what it needs is loaded
+            from birdcage_tui.widgets.spark import Sparks  # rows are there, so what it needs is loaded
 
             self._sparks = Sparks()
         for below, row in enumerate(passes[:kept], max(y, 0)):

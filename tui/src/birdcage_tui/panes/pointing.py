@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from birdcage.station.known import CableTurn
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut, fit, pad
-from birdcage_tui.digits import angle_text, put_big, width_of
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, fit, pad
+from birdcage_tui.drawing.digits import angle_text, put_big, width_of
 from birdcage_tui.panes.error_strip import draw_error_strip
-from birdcage_tui.panes.sky_ground import UNKNOWN_SIGN
-from birdcage_tui.skew import has_skew, skew_row
-from birdcage_tui.stop_words import stop_text
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import headline, live_words, los_words, next_words
-from birdcage_tui.view import View
-from birdcage_tui.words import age_text, motion_text, uncertainty_text
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.state_words import age_text, motion_text, uncertainty_text
+from birdcage_tui.shown.stop_words import stop_text
+from birdcage_tui.shown.track_words import headline, live_words, los_words, next_words
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.skew import has_skew, skew_row
+from birdcage_tui.widgets.sky_ground import UNKNOWN_SIGN
 
 ROOM_TO_SAY = 52
 """From this width on the gauge says where its figure comes from, unless it was counted from a homing just now."""

@@ -7,11 +7,11 @@ import itertools
 from birdcage.signal.source import SignalFacts
 from birdcage.station.pursuit_state import Phase
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cut, wrap
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import STALE_S, SignalSample, View
-from birdcage_tui.words import age_text
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import cut, wrap
+from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.view import STALE_S, SignalSample, View
+from birdcage_tui.widgets.pane import Pane
 
 GAP = 1.2
 """A silence longer than the source's usual pause by so much is a gap, not a slope."""

@@ -6,16 +6,25 @@ from birdcage.base.geometry import separation
 from birdcage.sky.geostationary import slots_in_sight
 from textual import events
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, label, name_target, rim, sky_titles, title_for
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.polar import Polar
 from birdcage_tui.panes.sky_up import OLD_SIGN, draw_trails, draw_up
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.track_words import plain_name
+from birdcage_tui.shown.view import View
 from birdcage_tui.track.path import Points
 from birdcage_tui.track.plot import draw_pursuit, draw_times
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import plain_name
-from birdcage_tui.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import (
+    QUIET,
+    SkyBackdrop,
+    has_stops,
+    label,
+    name_target,
+    rim,
+    sky_titles,
+    title_for,
+)
 
 ON_SLOT_DEG = 0.75
 """A target closer to a slot than this points at it."""

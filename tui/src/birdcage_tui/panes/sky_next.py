@@ -5,14 +5,14 @@ from __future__ import annotations
 import heapq
 from typing import TYPE_CHECKING
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit
-from birdcage_tui.passes.words import count_text, length_text
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import fit
+from birdcage_tui.shown.pass_words import count_text, length_text
+from birdcage_tui.shown.view import View
 
 if TYPE_CHECKING:
-    from birdcage_tui.passes.model import Row
-    from birdcage_tui.passes.spark import Sparks
+    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.widgets.spark import Sparks
 
 EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "sets in"}
 """What comes next, before the time until it does."""

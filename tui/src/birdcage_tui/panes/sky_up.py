@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import fit
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, label
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import fit
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.sky_ground import QUIET, label
 
 OVER = (*QUIET, "target", "accent", "text")
 """Dots that a satellite's own may stand on."""

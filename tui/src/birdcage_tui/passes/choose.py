@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from birdcage_tui.passes.model import Row
+from birdcage_tui.shown.sky_picture import Row
 
 SORTS = ("next event", "minutes in reach", "highest", "AOS")
 """What happens next first; the longest in reach first; the highest first; by rise."""

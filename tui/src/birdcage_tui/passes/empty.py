@@ -5,8 +5,8 @@ from __future__ import annotations
 from birdcage.base.config import feed_label
 
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.unready import NO_LOCATION
-from birdcage_tui.view import View
+from birdcage_tui.shown.unready import NO_LOCATION
+from birdcage_tui.shown.view import View
 
 NO_ELEMENTS = "The catalogue holds no satellites."
 GET_ELEMENTS = "In a shell: `birdcage elements update` fetches them, `birdcage elements add FILE` adds yours."

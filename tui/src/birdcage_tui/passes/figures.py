@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from birdcage.gps.verdict import cost_deg
 from birdcage.sky.doppler import doppler_hz
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.model import DopplerFrequency, Row
+from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.words import clock_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.sky_picture import DopplerFrequency, Row
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from birdcage.base.config import feed_label
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.passes.layout import BESIDE_MAP
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.words import clock_text, shift_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text, shift_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 WIDE = 100
 """Columns from which on a moment that is not now leaves room for the button of the map."""

@@ -6,16 +6,16 @@ from typing import cast
 
 from textual import events
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit, wrap
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import fit, wrap
+from birdcage_tui.feeds.host import AppHost
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
-from birdcage_tui.passes.model import Row
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.spark import Sparks
-from birdcage_tui.passes.words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text
+from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.spark import Sparks
 
 LEAST_NAME, MOST_NAME = 10, 24
 FIXED = 31

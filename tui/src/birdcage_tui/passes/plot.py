@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from textual.geometry import Size
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
-from birdcage_tui.passes.model import Row
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.polar import Polar
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.told import LINES, PassText
-from birdcage_tui.passes.words import clock_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
 
 WORDS = 25
 """Columns that the figures need beside the disc."""

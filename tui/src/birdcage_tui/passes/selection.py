@@ -6,8 +6,8 @@ from datetime import UTC, datetime, timedelta
 
 from birdcage_tui.passes.choose import PassFilter
 from birdcage_tui.passes.machine import TimeMachine
-from birdcage_tui.passes.model import Row, SkyPicture
-from birdcage_tui.view import View
+from birdcage_tui.shown.sky_picture import Row, SkyPicture
+from birdcage_tui.shown.view import View
 
 BACK_S = 3600.0
 """How far back the time machine goes, as far as passes are still known."""

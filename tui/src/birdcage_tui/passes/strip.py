@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.model import Row
+from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.words import clock_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 AXIS = 4
 """Columns of the scale at the left."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from birdcage_tui.control.fields import FieldRow, FieldsScreen, Values
 from birdcage_tui.passes.time_text import EXAMPLES, moment_of
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
 
 def time_screen(shown: datetime) -> FieldsScreen:

@@ -7,13 +7,13 @@ from math import floor
 from textual import events
 from textual.message import Message
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.model import Row
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import fit
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.words import clock_text
-from birdcage_tui.view import View
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 NAME, WIDE_NAME = 14, 20
 """Columns of the names; where there is room for more."""

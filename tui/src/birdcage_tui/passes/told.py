@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
-from birdcage_tui.cell_text import cell_len, cut, wrap
+from birdcage_tui.drawing.cell_text import cell_len, cut, wrap
 from birdcage_tui.passes.figures import away, clock_lines, doppler_at, signal_lines, sun_lines
-from birdcage_tui.passes.words import (
+from birdcage_tui.shown.pass_words import (
     EDGES,
     EVENT_WORDS,
     clock_text,
@@ -21,7 +21,7 @@ from birdcage_tui.passes.words import (
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
 
-    from birdcage_tui.passes.model import Row
+    from birdcage_tui.shown.sky_picture import Row
 
 LINES = 5
 """Rows under the map."""

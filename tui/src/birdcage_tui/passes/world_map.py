@@ -6,13 +6,13 @@ from birdcage.sky.footprint import radius_km
 from birdcage.sky.world import SubPoint, WorldView
 from textual import events
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import cell_len, elide
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.sky_ground import QUIET
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import cell_len, elide
 from birdcage_tui.passes.world_map_chart import Chart, Layers
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.view import View
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import QUIET
 
 OVER = (*QUIET, "target", "text", "accent")
 """Dots that a mark may stand on."""

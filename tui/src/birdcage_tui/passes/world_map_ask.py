@@ -2,36 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from datetime import UTC, datetime
-from typing import TYPE_CHECKING, cast
+from typing import cast
 
-from birdcage.sky.observer import Observer
 from birdcage.sky.world import WorldView
 from textual.message import Message
 
-from birdcage_tui.host import AppHost
-from birdcage_tui.passes.model import Row
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.world_ask import Ask
 from birdcage_tui.passes.selection import PassSelection
-from birdcage_tui.passes.words import clock_text
 from birdcage_tui.passes.world_map import WorldMapPane
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.view import View
-
-if TYPE_CHECKING:
-    from birdcage.sky.look_down import Mapped
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.view import View
 
 MOST = 60
 """Satellites on the map; the favourites first, then those that pass next."""
-
-
-@dataclass(frozen=True, slots=True)
-class Ask:
-    """What the map is to show: a moment to the second, the chosen pass, and one pass of each other satellite."""
-
-    t_s: int
-    chosen: Row | None
-    others: tuple[Row, ...]
 
 
 def ask_of(selection: PassSelection, view: View) -> Ask:
@@ -49,24 +35,6 @@ def ask_of(selection: PassSelection, view: View) -> Ask:
     if chosen is not None:
         found.pop((chosen.norad_id, chosen.name), None)
     return Ask(int(selection.time(view)), chosen, tuple(found.values())[:MOST])
-
-
-def world_of(ask: Ask, observer: Observer | None) -> WorldView:
-    """Work out what was asked for; on a thread other than the app's: it computes with arrays."""
-    from birdcage.sky.look_down import world_view
-
-    chosen = None if ask.chosen is None else _mapped(ask.chosen)
-    others = [one for one in map(_mapped, ask.others) if one is not None]
-    return world_view(datetime.fromtimestamp(ask.t_s, UTC), observer, chosen, others)
-
-
-def _mapped(row: Row) -> Mapped | None:
-    from birdcage.sky.look_down import Mapped
-
-    if row.origin is None:
-        return None
-    elements = replace(row.origin.elements, name=row.name)
-    return Mapped(elements, row.origin.time_offset_s, row.favourite)
 
 
 def seen_text(row: Row, t_s: float) -> str:

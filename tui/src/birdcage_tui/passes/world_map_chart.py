@@ -11,7 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.sky.coastline import Line, coastline
 from birdcage.sky.terminator import SubSolar
 
-from birdcage_tui.canvas import Braille
+from birdcage_tui.drawing.canvas import Braille
 
 STRETCH = 1.35
 """How much wider or higher than true the map may be, to fill its pane."""

@@ -6,18 +6,18 @@ from collections.abc import Sequence
 
 from textual.geometry import Region
 
-from birdcage_tui.canvas import Cells
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.commands.mending import held_up
-from birdcage_tui.commands.table import can_release
-from birdcage_tui.pane import Pane
-from birdcage_tui.skew import has_skew
-from birdcage_tui.status import StopButton
-from birdcage_tui.stop_words import searching
-from birdcage_tui.track.resume import resume_words
-from birdcage_tui.unready import worst
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.resume_words import resume_words
+from birdcage_tui.shown.stop_words import searching
+from birdcage_tui.shown.unready import worst
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.skew import has_skew
+from birdcage_tui.widgets.status import StopButton
 
 JOG = (("left", "◀"), ("up", "▲"), ("down", "▼"), ("right", "▶"))
 MORE = (("goto", "g go to"), ("home", "H home"), ("pocket-passes", "f pass"), ("help", "? help"), ("palette", ": all"))

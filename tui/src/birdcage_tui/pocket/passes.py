@@ -8,20 +8,21 @@ from textual import events
 from textual.app import ComposeResult
 from textual.containers import Vertical
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import pad, wrap
-from birdcage_tui.commands.table import can_release
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import pad, wrap
+from birdcage_tui.feeds.host import AppHost
 from birdcage_tui.panes.sky_next import WITH_WORDS, draw_next, next_rows
 from birdcage_tui.passes.empty import empty_words
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.pocket.reading import wrong_rows
-from birdcage_tui.track.offer import Offer, OfferLine
-from birdcage_tui.view import View
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.offer import Offer
+from birdcage_tui.shown.view import View
+from birdcage_tui.track.offer import OfferLine
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
-    from birdcage_tui.passes.model import Row
+    from birdcage_tui.shown.sky_picture import Row
 
 OFFER_ROWS = 3
 LEAST_ROWS = 3

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from textual.geometry import Region
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit, pad, wrap
-from birdcage_tui.commands.table import can_home, can_release
-from birdcage_tui.digits import angle_text, put_big, width_of
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import fit, pad, wrap
+from birdcage_tui.drawing.digits import angle_text, put_big, width_of
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
-from birdcage_tui.skew import has_skew, skew_row, skew_text
-from birdcage_tui.stop_words import searching, stop_text
-from birdcage_tui.track.resume import resume_words
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import headline, live_words, los_words, next_words
-from birdcage_tui.view import View
-from birdcage_tui.words import age_text, bad_day, calm, motion_text
+from birdcage_tui.shown.allowed import can_home, can_release
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.resume_words import resume_words
+from birdcage_tui.shown.state_words import age_text, bad_day, calm, motion_text
+from birdcage_tui.shown.stop_words import searching, stop_text
+from birdcage_tui.shown.track_words import headline, live_words, los_words, next_words
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.skew import has_skew, skew_row, skew_text
 
 LABEL = 3
 """Columns of `AZ` or `EL` before its digits."""

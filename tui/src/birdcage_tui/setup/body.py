@@ -14,18 +14,18 @@ from textual.containers import Container, Vertical, VerticalScroll
 from textual.widgets import Input
 
 from birdcage_tui.calibrate.tabs import SetupTabs
+from birdcage_tui.feeds.setup_engine import SetupEngine
 from birdcage_tui.panes.pointing import PointingPane
-from birdcage_tui.settings import SitePlace
 from birdcage_tui.setup.absent import AbsentSetup
 from birdcage_tui.setup.causes import told_apart
-from birdcage_tui.setup.engine import SetupEngine
 from birdcage_tui.setup.extra import ExtraKind, ExtraPane, kind_for
 from birdcage_tui.setup.form import AnswerForm
 from birdcage_tui.setup.host import SetupHost
 from birdcage_tui.setup.layout import SetupLayout, lay_out
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepText, StepWords
-from birdcage_tui.view import View
+from birdcage_tui.shown.options import SitePlace
+from birdcage_tui.shown.view import View
 
 HERE = Choice("here", "enter", "Go to this step")
 HAND_STEPS = ("north", "first")

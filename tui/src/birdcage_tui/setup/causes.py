@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from birdcage.setup.case import Cause
 from birdcage.setup.step import StepView
 
-from birdcage_tui.cell_text import cut, wrap
+from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.setup.wiring import Line
 
 

@@ -6,9 +6,9 @@ import math
 
 from birdcage.sky.sun import sun
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.settings import SitePlace
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.shown.options import SitePlace
+from birdcage_tui.shown.view import View
 
 LEAST_HEIGHT, MOST_HEIGHT = 9, 37
 WORDS = 24

@@ -8,13 +8,13 @@ from enum import Enum
 from birdcage.setup.case import Cause
 from birdcage.setup.wiring import connectors_of
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.settings import SitePlace
+from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.setup import causes as walk
 from birdcage_tui.setup import wiring
 from birdcage_tui.setup.compass import draw_compass
-from birdcage_tui.view import View
+from birdcage_tui.shown.options import SitePlace
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 COMPASS_STEPS = ("direction", "place", "north", "first")
 WIRED_STEPS = ("link",)

@@ -12,9 +12,8 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, Label
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut
 from birdcage_tui.setup.form_rows import (
     INDENT,
     MOVES,
@@ -27,7 +26,8 @@ from birdcage_tui.setup.form_rows import (
     key_text,
     unit_text,
 )
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 
 class ChoiceButton(Pane, can_focus=True):

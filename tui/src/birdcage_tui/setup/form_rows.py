@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from birdcage.setup.step import Choice, Field
 
-from birdcage_tui.cell_text import cell_len
+from birdcage_tui.drawing.cell_text import cell_len
 
 MOVES = "▲ moves the dish"
 GAP = 2

@@ -6,8 +6,8 @@ from typing import Protocol
 
 from birdcage.station.station import Station
 
-from birdcage_tui.settings import AppOptions
-from birdcage_tui.view import View
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shown.view import View
 
 
 class SetupHost(Protocol):

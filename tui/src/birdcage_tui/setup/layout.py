@@ -9,13 +9,13 @@ from textual.containers import VerticalScroll
 from textual.geometry import Size
 from textual.widget import Widget
 
-from birdcage_tui.pages.page import Page
 from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.setup.extra import ExtraKind, ExtraPane
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepWords
+from birdcage_tui.widgets.page import Page
 
 LEAST_BELOW = 14
 """Rows from which a compass is worth drawing under the readings."""

@@ -8,11 +8,11 @@ from birdcage.setup.step import Mark, StepView
 from textual import events
 from textual.message import Message
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, wrap
-from birdcage_tui.pane import Pane
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.setup.fold import PRESENT, StepRow, folded_text, glyph_of
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 TITLE_WIDTH = 15
 LABEL_WIDTH = 8 + TITLE_WIDTH

@@ -16,7 +16,7 @@ from birdcage.setup.wiring import (
     symptoms,
 )
 
-from birdcage_tui.cell_text import wrap
+from birdcage_tui.drawing.cell_text import wrap
 
 Line = tuple[tuple[str, str], ...]
 """One row, as (ink, text) from the left."""

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 from birdcage.setup.step import Mark, StepView
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
-from birdcage_tui.pane import Pane
-from birdcage_tui.view import View
-from birdcage_tui.words import span_text
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.shown.state_words import span_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 
 @dataclass(slots=True)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.track.scale import STEPS_DEG
-from birdcage_tui.track.shown_pursuit import beam_of, sample_of, shown_is_followed
-from birdcage_tui.track.words import degrees, half_beam
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.shown.error_scale import STEPS_DEG
+from birdcage_tui.shown.pursuit import beam_of, sample_of, shown_is_followed
+from birdcage_tui.shown.track_words import degrees, half_beam
+from birdcage_tui.shown.view import View
 
 LOOKS = 30
 LEAST = 16

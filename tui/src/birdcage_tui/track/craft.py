@@ -10,24 +10,25 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input
 
-from birdcage_tui.commands.table import can_release
-from birdcage_tui.control.fields import FieldRow, FieldsScreen
-from birdcage_tui.esc_field import EscField, NamedField
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.track_feed import TrackSource
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.offer import Offer
+from birdcage_tui.shown.pursuit import plan_of
+from birdcage_tui.shown.view import View
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.layout import VIEWS, layout
 from birdcage_tui.track.now import TrackNow
-from birdcage_tui.track.offer import Offer, OfferLine
+from birdcage_tui.track.offer import OfferLine
 from birdcage_tui.track.passes import TrackPasses
 from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
-from birdcage_tui.track.shown_pursuit import plan_of
 from birdcage_tui.track.strips import TrackStrips
-from birdcage_tui.track_feed import TrackSource
-from birdcage_tui.view import View
+from birdcage_tui.widgets.esc_field import EscField, NamedField
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen
+from birdcage_tui.widgets.pane import Pane
 
 OFFSETS_S = {"track-earlier": -0.1, "track-later": 0.1, "track-far-earlier": -1.0, "track-far-later": 1.0}
 ORDERS: dict[str, Callable[[TrackSource], None]] = {

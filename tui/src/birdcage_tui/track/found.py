@@ -7,12 +7,12 @@ from typing import cast
 
 from textual import events
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut, fit, wrap
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import count_text, reach_text
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, fit, wrap
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.pass_words import count_text, reach_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 MOST_UP = 40
 DETAIL = 26

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from birdcage.pursuit.now import Mode
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, fit
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.mending import motion_mend, release_mend, then_words
-from birdcage_tui.pane import Pane
-from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, shown_is_followed
-from birdcage_tui.track.words import expected_words, offset_words, pass_words, reach_words
-from birdcage_tui.unready import NO_LOCATION
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, fit
+from birdcage_tui.shown.pursuit import plan_of, pursuit_of, shown_is_followed
+from birdcage_tui.shown.track_words import expected_words, offset_words, pass_words, reach_words
+from birdcage_tui.shown.unready import NO_LOCATION
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 SELECTOR = (("track-watch", Mode.WATCH, "Watch"), ("track-aim", Mode.AIM, "Aim once"),
             ("track-follow", Mode.FOLLOW, "Follow"))  # fmt: skip

@@ -6,14 +6,12 @@ from typing import TYPE_CHECKING
 
 from birdcage.station.pursuit_state import Phase
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import fit, wrap
 from birdcage_tui.commands.mending import then_words
-from birdcage_tui.digits import put_big, width_of
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text, count_text
-from birdcage_tui.track.bullseye import draw_bullseye
-from birdcage_tui.track.shown_pursuit import (
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import fit, wrap
+from birdcage_tui.drawing.digits import put_big, width_of
+from birdcage_tui.shown.pass_words import clock_text, count_text
+from birdcage_tui.shown.pursuit import (
     plan_of,
     pursuit_of,
     same_target,
@@ -21,7 +19,7 @@ from birdcage_tui.track.shown_pursuit import (
     shown_is_followed,
     target_place,
 )
-from birdcage_tui.track.words import (
+from birdcage_tui.shown.track_words import (
     ahead_words,
     countdown_s,
     decibels,
@@ -35,7 +33,9 @@ from birdcage_tui.track.words import (
     los_words,
     next_words,
 )
-from birdcage_tui.view import View
+from birdcage_tui.shown.view import View
+from birdcage_tui.track.bullseye import draw_bullseye
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.tracking.day import Day

@@ -3,61 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from datetime import UTC, datetime
 from typing import TYPE_CHECKING, cast
 
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import ReleaseLease
 from textual import events
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, fit, pad
 from birdcage_tui.commands.mending import release_mend
-from birdcage_tui.commands.table import can_release
 from birdcage_tui.commands.track import can_autotrack, can_follow, can_watch
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text
-from birdcage_tui.stop_words import esc_text
-from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, shown_is_followed, target_place
-from birdcage_tui.view import YOU, View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, fit, pad
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.offer import Offer
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.pursuit import plan_of, pursuit_of, shown_is_followed, target_place
+from birdcage_tui.shown.stop_words import esc_text
+from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
 BROKEN_OFF = (Phase.YIELDED, Phase.INTERRUPTED)
 """Phases in which a pursuit can be taken up again."""
-SAME_S = 120.0
-"""As near as this two times of TCA are one pass: newer elements may have moved it."""
-
-
-@dataclass(frozen=True, slots=True)
-class Offer:
-    """One pass of one satellite."""
-
-    name: str
-    norad_id: int
-    tca_s: float
-    """POSIX seconds."""
-
-    @property
-    def text(self) -> str:
-        """What the desk is to choose."""
-        return str(self.norad_id or self.name)
-
-    @property
-    def tca(self) -> datetime:
-        """When it is highest: a time within the pass whatever its AOS is computed to be."""
-        return datetime.fromtimestamp(self.tca_s, UTC)
-
-    def is_of(self, plan: Plan | None) -> bool:
-        """Return whether a plan is for this pass."""
-        if plan is None or plan.aim.norad_id != self.norad_id:
-            return False
-        if plan.passing is None:
-            return plan.day is not None and plan.day.always_up  # it has no other pass
-        return abs(plan.passing.tca.timestamp() - self.tca_s) < SAME_S
 
 
 def offer_words(offer: Offer, view: View) -> tuple[str, str]:

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, cast
 
 from textual import events
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import wrap
-from birdcage_tui.host import AppHost
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import EDGES, length_text, reasons_text
-from birdcage_tui.track.shown_pursuit import plan_of
-from birdcage_tui.track.words import left_text, pass_words, reach_words
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.pass_words import EDGES, length_text, reasons_text
+from birdcage_tui.shown.pursuit import plan_of
+from birdcage_tui.shown.track_words import left_text, pass_words, reach_words
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow

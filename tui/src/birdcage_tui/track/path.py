@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation, shortest_turn
 
-from birdcage_tui.canvas import Braille
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.track.shown_pursuit import to_true
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Braille
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.shown.pursuit import to_true
+from birdcage_tui.shown.view import View
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan

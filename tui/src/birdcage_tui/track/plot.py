@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from birdcage.station.pursuit_state import Phase
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.panes.polar import Polar
-from birdcage_tui.panes.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
-from birdcage_tui.passes.words import clock_text
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.pursuit import plan_of, pursuit_of, sample_of, shown_is_followed, target_place
+from birdcage_tui.shown.view import View
 from birdcage_tui.track.path import Points, draw_path, ticks
-from birdcage_tui.track.shown_pursuit import plan_of, pursuit_of, sample_of, shown_is_followed, target_place
-from birdcage_tui.view import View
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
 
 TITLES = sky_titles("Sky")
 PATHS = ("target", "accent", "text", "strong", "warn", "target-strong", "accent-strong")

@@ -6,11 +6,11 @@ from birdcage.radio.now import RadioNow, RadioState
 from birdcage.sky.downlinks_age import is_doubtful
 from birdcage.sky.downlinks_words import air_words, satdump_words, signal_words
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cut, fit, wrap
-from birdcage_tui.pane import Pane
-from birdcage_tui.track.shown_pursuit import plan_of
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, fit, wrap
+from birdcage_tui.shown.pursuit import plan_of
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 SIGNS = {
     RadioState.OFF: ("○", "dim"), RadioState.CONNECTING: ("◌", "text"), RadioState.TUNED: ("●", "good"),

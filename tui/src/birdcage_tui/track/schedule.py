@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from birdcage.pursuit.now import Scheduled
 
-from birdcage_tui.canvas import Cells
-from birdcage_tui.cell_text import cell_len, cut, fit, pad, wrap
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text, length_text
-from birdcage_tui.track.shown_pursuit import pursuit_of
-from birdcage_tui.track.words import DEMO, plain_name
-from birdcage_tui.view import View
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cell_len, cut, fit, pad, wrap
+from birdcage_tui.shown.pass_words import clock_text, length_text
+from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.track_words import DEMO, plain_name
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
 
 NAME = 24
 """Columns of a name at most."""

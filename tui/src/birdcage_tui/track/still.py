@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.cell_text import wrap
-from birdcage_tui.track.scale import STEPS_DEG, shown_deg
-from birdcage_tui.track.words import degrees, drifts
-from birdcage_tui.view import STALE_S, View
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.shown.error_scale import STEPS_DEG, shown_deg
+from birdcage_tui.shown.track_words import degrees, drifts
+from birdcage_tui.shown.view import STALE_S, View
 
 if TYPE_CHECKING:
     from birdcage.tracking.day import Day

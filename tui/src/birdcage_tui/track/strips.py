@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 
-from birdcage_tui.canvas import Braille, Cells
-from birdcage_tui.pane import Pane
-from birdcage_tui.passes.words import clock_text
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.shown.error_scale import error_top, shown_deg, window
+from birdcage_tui.shown.pass_words import clock_text
+from birdcage_tui.shown.pursuit import beam_of, plan_of, shown_is_followed, target_place
+from birdcage_tui.shown.track_words import degrees, drifts, left_text
+from birdcage_tui.shown.view import View
 from birdcage_tui.track.path import Points, Spot
-from birdcage_tui.track.scale import error_top, shown_deg, window
-from birdcage_tui.track.shown_pursuit import beam_of, plan_of, shown_is_followed, target_place
 from birdcage_tui.track.still import draw_still
-from birdcage_tui.track.words import degrees, drifts, left_text
-from birdcage_tui.view import View
+from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Incident, Plan

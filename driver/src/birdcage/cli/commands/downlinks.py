@@ -41,8 +41,8 @@ def command(satellite: tuple[str, ...], every: bool) -> None:
 
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell_json
-    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import has_band, hearing
+    from birdcage.sky.downlinks_read import load_downlinks
 
     paths = find_paths()
     settings = load_settings(paths)

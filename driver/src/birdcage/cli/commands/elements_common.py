@@ -39,7 +39,7 @@ def find_entry(catalogue: Catalogue, text: str) -> CatalogueEntry:
     from birdcage.base.errors import BirdcageError
     from birdcage.cli.options import find_paths
     from birdcage.cli.say import say
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.targets import Resolver
     from birdcage.sky.targets.model import Satellite
 

@@ -62,7 +62,7 @@ def search(context: click.Context, text: str, limit: int) -> None:
     from birdcage.cli.options import find_paths
     from birdcage.cli.say import say
     from birdcage.sky.catalogue import CatalogueEntry
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.targets import Resolver
 
     with open_catalogue() as catalogue:

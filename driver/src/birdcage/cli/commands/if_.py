@@ -44,7 +44,7 @@ def command(
     from birdcage.cli.options import find_paths, load_settings
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.sky.band import Conversion, rf_of
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
 
     if [bool(target), rf_hz is not None, if_hz is not None].count(True) != 1:
         raise click.UsageError(

@@ -42,7 +42,7 @@ def command(
     from birdcage.cli.log_report import tell_pass, tell_passes, values_of_pass, values_of_record, values_of_total
     from birdcage.cli.say import say, tell_json
     from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of
-    from birdcage.sky.downlinks import load_downlinks
+    from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.targets import Resolver
 
     journal = find_paths().journal

@@ -141,8 +141,8 @@ def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) 
     """Return the satellites that the feed can hear, and say how many are left out; all where that is not asked for."""
     from birdcage.base.config import feed_label
     from birdcage.cli.say import say
-    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import has_band, listener
+    from birdcage.sky.downlinks_read import load_downlinks
 
     settings, feed = wants.settings, wants.settings.active_feed
     if hearable is None:
@@ -161,8 +161,8 @@ def _heard(watched: Watched, wants: Wanted, hearable: bool | None, named: bool) 
 
 def _first_heard(wants: Wanted) -> Heard:
     """Return which downlink of a satellite is listened to with the active feed."""
-    from birdcage.sky.downlinks import load_downlinks
     from birdcage.sky.downlinks_hearing import first_heard
+    from birdcage.sky.downlinks_read import load_downlinks
 
     return first_heard(load_downlinks(wants.paths.downlinks_file), wants.settings.active_feed)
 

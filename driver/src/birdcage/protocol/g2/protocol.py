@@ -11,6 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import Reply
+from birdcage.protocol.firmware import BOOT_TIMEOUT_S, STALLED
 from birdcage.protocol.g2.commands import COMMANDS
 from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
@@ -20,7 +21,6 @@ from birdcage.protocol.g2.motor_values import HomingReport
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
-from birdcage.protocol.protocol import BOOT_TIMEOUT_S, STALLED
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable

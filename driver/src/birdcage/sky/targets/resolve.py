@@ -8,7 +8,8 @@ from datetime import UTC, datetime
 from functools import lru_cache
 
 from birdcage.sky.ahead import is_ahead
-from birdcage.sky.downlinks import Downlink, shipped
+from birdcage.sky.downlinks import Downlink
+from birdcage.sky.downlinks_read import shipped
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.ephemeris.bodies import BODIES
 from birdcage.sky.slots import Slot, slots

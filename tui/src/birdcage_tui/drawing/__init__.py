@@ -1,0 +1,1 @@
+"""How cells are drawn: canvas, glyphs, digits, themes, and the terminal itself. Knows neither dish nor sky."""

@@ -1,0 +1,56 @@
+"""What dialogs and palette need of the app, so that they need not know it."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+from typing import Protocol
+
+from birdcage.station.requests import Request
+
+from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
+from birdcage_tui.feeds.horizon_book import HorizonBook
+from birdcage_tui.feeds.preset_book import PresetBook
+from birdcage_tui.feeds.sky_feed import SkyFeed
+from birdcage_tui.feeds.track_feed import TrackFeed
+from birdcage_tui.shown.view import View
+
+
+class AppHost(Protocol):
+    """The app, seen from inside."""
+
+    presets: PresetBook
+    """Directions with names."""
+    horizon: HorizonBook
+    """The line of trees and roofs."""
+    sky: SkyFeed
+    """What is known of the sky, and how to ask for more."""
+    track: TrackFeed
+    """The pursuit desk, and what it has told."""
+    calibrate: CalibrateFeed
+    """The guide of the calibration, and what it has told."""
+    aim: tuple[float, float] | None
+    """Where the go-to line would lead, while one types into it."""
+
+    def view(self) -> View:
+        """Return what one frame shows, now."""
+
+    def paint(self) -> None:
+        """Draw a frame."""
+
+    def action_command(self, name: str) -> None:
+        """Do a command of the table, or say why not."""
+
+    def show_page(self, name: str, then: str | None = None) -> None:
+        """Show a page; `then` is one of its commands, to be done there."""
+
+    def say(self, words: str) -> None:
+        """Put a sentence into row 2, where the calm line is."""
+
+    def ask(self, request: Request) -> None:
+        """Submit a request; if it fails, the sentence of its error is shown."""
+
+    def begin_way(self) -> Future[object]:
+        """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
+
+    def open_goto(self, text: str = "") -> None:
+        """Open the go-to line with `text` in it."""

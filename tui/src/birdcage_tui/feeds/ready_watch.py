@@ -1,0 +1,119 @@
+"""Finds out now and then what the station lacks, on a thread of its own: files are read, and a catalogue may be large.
+
+Nothing is asked over a wire or a network. The clock is watched by `clock_watch`; a receiver is the tracker's alone, as
+some serve one program at a time.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, Protocol
+
+from birdcage.base.errors import BirdcageError
+
+from birdcage_tui.shown.unready import SETUP_STEPS
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from birdcage.base.clock import Clock
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+    from birdcage.ready.check import Check
+
+FIRST_S = 2.0
+"""After the first frame: dish and sky come first."""
+LOOK_S = 2.0
+"""Between two looks at whether a file has changed."""
+AGAIN_S = 600.0
+"""At the latest: elements grow old by themselves."""
+
+
+class ReadySource(Protocol):
+    """Where the checks come from. Called on the watch's thread."""
+
+    def fingerprint(self) -> object:
+        """Return something that changes with the files; cheap."""
+
+    def find(self) -> tuple[Check, ...]:
+        """Return what is not good; may take a second."""
+
+
+class KeptChecks:
+    """What the files of a running app tell."""
+
+    def __init__(self, load_again: Callable[[], Settings], paths: Paths, clock: Clock) -> None:
+        self._load_again, self._paths, self._clock = load_again, paths, clock
+
+    def fingerprint(self) -> object:
+        """Return when the files that count were written."""
+        catalogue = self._paths.catalogue
+        files = (
+            self._paths.config_file, self._paths.downlinks_file, catalogue,
+            catalogue.with_name(f"{catalogue.name}-wal"),
+        )  # fmt: skip
+        return tuple(_written(file) for file in files)
+
+    def find(self) -> tuple[Check, ...]:
+        """Return what must be fixed or is worth a look, in order; without what a person has decided in the setup."""
+        from birdcage.ready.checks import kept_checks
+
+        settings = self._load_again()
+
+        def decided(check: Check) -> bool:
+            kept = settings.setup.kept(SETUP_STEPS[check.subject]) if check.subject in SETUP_STEPS else None
+            return check.state == "look" and kept is not None and (kept.done or kept.skipped)
+
+        found = kept_checks(self._paths, settings, self._clock.utc())
+        return tuple(check for check in found if check.state != "good" and not decided(check))
+
+
+def _written(file: Path) -> tuple[int, int] | None:
+    try:
+        found = file.stat()
+    except OSError:
+        return None
+    # A reader makes an empty write-ahead log, and takes it away again.
+    return (found.st_mtime_ns, found.st_size) if found.st_size else None
+
+
+class ReadyWatch:
+    """`now` is what was found last; None before, and where it can't be told."""
+
+    def __init__(
+        self, source: ReadySource | None, soon: Callable[[Callable[[], None]], object], changed: Callable[[], object]
+    ) -> None:
+        self._source, self._soon, self._changed = source, soon, changed
+        self._closed = threading.Event()
+        self.now: tuple[Check, ...] | None = None
+
+    def begin(self) -> None:
+        """Begin to look; after the first frame."""
+        if self._source is not None:
+            threading.Thread(target=self._work, args=(self._source,), name="ready-check", daemon=True).start()
+
+    def close(self) -> None:
+        """Look no more. A look that is under way ends by itself, unheard."""
+        self._closed.set()
+
+    def _work(self, source: ReadySource) -> None:
+        wait_s, left_s, before = FIRST_S, 0.0, None
+        while not self._closed.wait(wait_s):
+            seen, left_s, wait_s = source.fingerprint(), left_s - wait_s, LOOK_S
+            if seen == before and left_s > 0:
+                continue
+            before, left_s = seen, AGAIN_S
+            try:
+                found: tuple[Check, ...] | None = source.find()
+            except (BirdcageError, OSError):
+                found = None  # what is not known is no finding
+            if not self._closed.is_set():
+                self._soon(partial(self.take, found))
+
+    def take(self, found: tuple[Check, ...] | None) -> None:
+        """Show what was found; on the app's thread."""
+        if found != self.now:
+            self.now = found
+            self._changed()

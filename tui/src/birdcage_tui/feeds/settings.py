@@ -1,0 +1,85 @@
+"""What the app is told before it begins."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Protocol
+
+from birdcage_tui.drawing.terminal_cells import ASPECT
+from birdcage_tui.shown.options import SitePlace
+
+if TYPE_CHECKING:
+    from birdcage.sky.horizon import HorizonMask
+
+    from birdcage_tui.feeds.calibrate_feed import MakeCalibrate
+    from birdcage_tui.feeds.ready_watch import ReadySource
+    from birdcage_tui.feeds.setup_engine import SetupEngine
+    from birdcage_tui.feeds.signal_feed import SignalSources
+    from birdcage_tui.feeds.sky_feed import MakeSky
+    from birdcage_tui.feeds.track_feed import MakeTrack
+    from birdcage_tui.shown.clock_told import ClockTold
+
+
+class HorizonFile(Protocol):
+    """Where the line of trees and roofs is kept."""
+
+    @property
+    def begin(self) -> HorizonMask:
+        """What the settings held when the app began."""
+
+    def read(self) -> HorizonMask:
+        """Return what the settings hold now. ConfigError where they cannot be read."""
+
+    def write(self, mask: HorizonMask) -> None:
+        """Keep another one. ConfigError says why not."""
+
+
+@dataclass(frozen=True, slots=True)
+class AppOptions:
+    """The app's own settings, from flags and `birdcage.toml`."""
+
+    theme: str = "dusk"
+    keep_theme: Callable[[str], None] | None = field(default=None, compare=False)
+    """Keeps the theme that a person has picked for the next start; ConfigError says why not. None: nowhere."""
+    place: SitePlace | None = None
+    """None while the user has not told it: then no geostationary arc is drawn."""
+    tour: bool = False
+    """Whether the dish follows passes by itself from the start. Only with a simulated dish."""
+    notice: str = ""
+    """A sentence about the settings that a person must see (a damaged file, say)."""
+    glyphs: str = "braille"
+    """What pictures are drawn with: `braille`, `block` or `ascii`."""
+    cell_aspect: float = ASPECT
+    """How much taller than wide a character is: so circles are round."""
+    cell_aspect_set: bool = False
+    """Whether a setting says so; else the terminal does, where it tells."""
+    update_hz: float = 10.0
+    """How many frames a second are drawn at most."""
+    history_file: Path | None = None
+    """Where lines typed into the console are kept; None: nowhere."""
+    logs_folder: Path | None = None
+    """Where the console saves what it shows; None: nowhere."""
+    presets_file: Path | None = None
+    """Where directions with names are kept; None: nowhere."""
+    setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
+    """Makes the engine of the setup page when it is first visited; None: there is no setup."""
+    sky: MakeSky | None = field(default=None, compare=False)
+    """Makes what watches the sky, after the first frame; None: nothing does."""
+    track: MakeTrack | None = field(default=None, compare=False)
+    """Makes the pursuit desk, after the first frame; None: there is none."""
+    signal: SignalSources | None = field(default=None, compare=False)
+    """The sources of the signal; None: the dish's own tuner alone."""
+    calibrate: MakeCalibrate | None = field(default=None, compare=False)
+    """Makes the guide of the calibration when its tab is first visited; None: there is none."""
+    horizon: HorizonFile | None = field(default=None, compare=False)
+    """Where the line of trees and roofs is kept; None: nowhere."""
+    clock_check: Callable[[], ClockTold] | None = field(default=None, compare=False)
+    """Finds out how good this machine's clock is, on a thread after the first frame; None: nothing does."""
+    ready: ReadySource | None = field(default=None, compare=False)
+    """Finds what the station lacks, on a thread after the first frame; None: nothing does."""
+    keep_place: Callable[[float, float, float, str], None] | None = field(default=None, compare=False)
+    """Writes latitude, longitude, height in metres and name of the dish's place; None: nowhere. ConfigError."""
+    first_page: str = "dashboard"
+    """The page that the app opens with."""

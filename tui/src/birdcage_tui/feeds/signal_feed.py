@@ -1,0 +1,88 @@
+"""What the app hears of signal sources: the one of the mounted feed is read while a page shows it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from birdcage.signal.monitor import SignalMonitor
+from birdcage.signal.source import Hear, SignalReading
+from birdcage.signal.tuner import TUNER, TunerSource
+from birdcage.station.station import Station
+
+from birdcage_tui.shown.signal_book import SignalBook
+
+SIGNAL = "signal"
+"""What a page names that shows it."""
+
+
+class SignalSources(Protocol):
+    """The sources of a session. No call waits."""
+
+    def monitor(self, hear: Hear) -> SignalMonitor:
+        """Return what reads the one that the feed names; `hear` is called on any thread."""
+
+    def chosen_now(self) -> str:
+        """Read the settings again, and return the id of the source that the mounted feed names."""
+
+
+class SignalFeed:
+    """Nothing is read before `begin`, nor after `close`."""
+
+    def __init__(
+        self, sources: SignalSources | None, station: Station, soon: Callable[[Callable[[], None]], object],
+        changed: Callable[[], object],
+    ) -> None:  # fmt: skip
+        """Without `sources` there is the dish's own tuner."""
+        self._sources, self._station, self._soon, self._changed = sources, station, soon, changed
+        self._monitor: SignalMonitor | None = None
+        self._feed = ""
+        self.book = SignalBook()
+
+    def begin(self) -> None:
+        """Meet the sources; after the first frame."""
+        if self._sources is None:
+            self._monitor = SignalMonitor([TunerSource(self._station)], TUNER, self._hear)
+        else:
+            self._monitor = self._sources.monitor(self._hear)
+        self.book.chosen = self._monitor.chosen.facts
+        self._feed = self._station.state.feed_name
+
+    @property
+    def trouble(self) -> str:
+        """Why nothing is read of the source that the feed names; empty while all is well."""
+        return "" if self._monitor is None else self._monitor.chosen.trouble
+
+    def watch(self, shown: frozenset[str], *, typing: bool) -> frozenset[str]:
+        """Have it read if it is among what a page shows; return the rest of that.
+
+        A dish that a person is `typing` to is not asked: it would change the menu.
+        """
+        if self._monitor is not None:
+            self._take_feed(self._monitor)
+            asked = not (typing and self._monitor.chosen.facts.of_dish)
+            self._monitor.watch(on=asked and SIGNAL in shown)
+        return shown - {SIGNAL}
+
+    def close(self) -> None:
+        """Read nothing more."""
+        if self._monitor is not None:
+            self._monitor.close()
+
+    def _take_feed(self, monitor: SignalMonitor) -> None:
+        """Take another source where another feed was mounted: on a page that watches none."""
+        feed = self._station.state.feed_name
+        if self._sources is not None and feed != self._feed:
+            self._feed = feed
+            monitor.choose(self._sources.chosen_now())
+            self.book.choose(monitor.chosen.facts)
+
+    def _hear(self, reading: SignalReading) -> None:
+        self._soon(lambda: self._take(reading))
+
+    def _take(self, reading: SignalReading) -> None:
+        if self._monitor is not None:
+            facts = self._monitor.facts_of(reading.source)
+            self.book.hear(reading, facts, self._station.state)
+            if not facts.of_dish:  # else the station's own event brings the next frame
+                self._changed()

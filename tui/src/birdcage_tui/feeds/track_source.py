@@ -1,0 +1,190 @@
+"""The app's pursuit desk: opened on a thread of its own, since what it needs takes a while to load."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from datetime import datetime
+from typing import TYPE_CHECKING
+
+from birdcage_tui.feeds.demo_sky import lay_demo_sky
+from birdcage_tui.shown.options import SitePlace
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
+    from birdcage.pursuit.desk import PursuitDesk
+    from birdcage.sky.horizon import HorizonMask
+    from birdcage.sky.observer import Observer
+    from birdcage.station.session import Session
+
+    from birdcage_tui.feeds.signal_source import SessionSignals
+    from birdcage_tui.feeds.track_feed import MakeTrack, ShowTrack
+
+Order = Callable[["PursuitDesk"], None]
+
+
+def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
+               signals: SessionSignals | None = None, threads: bool = True) -> MakeTrack:  # fmt: skip
+    """Return what opens the desk of a session, once the app wants it.
+
+    `load` reads the settings again when the place has changed. `signals` has the receiver that the desk tunes; without
+    it the desk has one of its own. `threads=False`: a test calls its `step`.
+    """
+
+    def make(show: ShowTrack) -> DeskSource:
+        def open_desk() -> PursuitDesk:
+            from birdcage.pursuit.desk import PursuitDesk
+            from birdcage.pursuit.desk_setup import DeskSetup
+
+            observer = observer_of(settings)
+            if demo:
+                # Else it might read the catalogue before that is filled, and look at it again seconds later only.
+                lay_demo_sky(paths.catalogue, session.clock.utc(), observer)
+            receiver = None if signals is None else signals.receiver
+            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver)
+            return PursuitDesk(session.station, session.clock, setup, show, threads=threads)
+
+        return DeskSource(open_desk, load, threads=threads)
+
+    return make
+
+
+def observer_of(settings: Settings, place: SitePlace | None = None) -> Observer | None:
+    """Return where the dish stands; `place` counts over the settings, whose height it takes over."""
+    from birdcage.sky.observer import Observer
+
+    own = settings.place
+    if place is not None:
+        return Observer(place.latitude_deg, place.longitude_deg, own.height_m, name=place.name)
+    if own.latitude_deg is None or own.longitude_deg is None:
+        return None
+    return Observer(own.latitude_deg, own.longitude_deg, own.height_m, name=own.name or "")
+
+
+class DeskSource:
+    """Hands every order to the desk; those that come before it is open wait for it, in their order."""
+
+    def __init__(self, open_desk: Callable[[], PursuitDesk], load: Callable[[], Settings], *, threads: bool) -> None:
+        self._open, self._load, self._threads = open_desk, load, threads
+        self._lock = threading.Lock()
+        self._waiting: list[Order] = []
+        self._closed = False
+        self._place: SitePlace | None = None
+        self._horizon: HorizonMask | None = None
+        self._feed = ""
+        self.desk: PursuitDesk | None = None
+
+    def start(self) -> None:
+        """Open the desk."""
+        if self._threads:
+            threading.Thread(target=self._begin, name="pursuit-opens", daemon=True).start()
+        else:
+            self._begin()
+
+    def _begin(self) -> None:
+        desk = self._open()
+        with self._lock:
+            if self._closed:
+                desk.close(0.0)
+                return
+            self.desk = desk
+            for order in self._waiting:
+                order(desk)
+            self._waiting.clear()
+        desk.start()
+
+    def _ask(self, order: Order) -> None:
+        with self._lock:
+            if self.desk is None:
+                self._waiting.append(order)
+            else:
+                order(self.desk)
+
+    def step(self) -> None:
+        """Do what there is to do, on the calling thread."""
+        if self.desk is not None:
+            for _ in range(50):
+                if self.desk.step() > 0:
+                    break
+
+    def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+        """Take where the dish stands, the horizon there (None: the settings'), and the name of its feed."""
+        before, self._place = self._place, place
+        mask, self._horizon = self._horizon, horizon
+        fed, self._feed = self._feed, feed
+        elsewhere = before is not None and place is not None and place != before
+        masked = mask is not None and horizon is not None and horizon != mask
+        if elsewhere or masked or (fed and feed != fed):
+            settings = self._load()
+            observer = observer_of(settings, place)
+            self._ask(lambda desk: desk.apply(settings, observer))
+
+    def search(self, text: str) -> None:
+        """Look for targets."""
+        self._ask(lambda desk: desk.search(text))
+
+    def locate(self, text: str) -> None:
+        """Say where a target stands."""
+        self._ask(lambda desk: desk.locate(text))
+
+    def choose(self, text: str) -> None:
+        """Choose a target."""
+        self._ask(lambda desk: desk.choose(text))
+
+    def choose_pass(self, aos: datetime) -> None:
+        """Choose one of its passes."""
+        self._ask(lambda desk: desk.choose_pass(aos))
+
+    def watch(self) -> None:
+        """Show it only."""
+        self._ask(lambda desk: desk.watch())
+
+    def aim_once(self) -> None:
+        """Point at it once."""
+        self._ask(lambda desk: desk.aim_once())
+
+    def follow(self) -> None:
+        """Follow it."""
+        self._ask(lambda desk: desk.follow())
+
+    def leave(self) -> None:
+        """End following."""
+        self._ask(lambda desk: desk.leave())
+
+    def take_up(self) -> None:
+        """Follow what was left unfinished."""
+        self._ask(lambda desk: desk.take_up())
+
+    def resume(self) -> None:
+        """Follow what was stopped."""
+        self._ask(lambda desk: desk.resume())
+
+    def forget_unfinished(self) -> None:
+        """Do not offer it any more."""
+        self._ask(lambda desk: desk.forget_unfinished())
+
+    def set_time_offset(self, seconds: float) -> None:
+        """Take it to come so much later."""
+        self._ask(lambda desk: desk.set_time_offset(seconds))
+
+    def set_frequency(self, hertz: float | None) -> None:
+        """Take another frequency."""
+        self._ask(lambda desk: desk.set_frequency(hertz))
+
+    def set_autotrack(self, on: bool) -> None:
+        """Follow the schedule, or no longer."""
+        self._ask(lambda desk: desk.set_autotrack(on))
+
+    def close(self) -> None:
+        """End soon; an opening that is under way ends by itself."""
+        with self._lock:
+            self._closed = True
+            desk = self.desk
+        if desk is not None:
+            desk.close(0.0)
+
+    def wait(self, timeout_s: float) -> None:
+        """Wait until it has left on disk what is to be remembered, where there is such a thing."""
+        if self.desk is not None and self.desk.owes:
+            self.desk.wait(timeout_s)

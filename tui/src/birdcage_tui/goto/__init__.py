@@ -1,0 +1,1 @@
+"""The go-to line: what was typed, where that leads, and whether the dish gets there."""

@@ -1,0 +1,69 @@
+"""What was heard: by the source of the mounted feed, or in a pass by a receiver, which goes before the dish's tuner."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+
+from birdcage.signal.source import SignalFacts, SignalReading
+from birdcage.signal.tuner import TUNER, TUNER_FACTS
+from birdcage.station.state import MOVING, LinkPhase, StationState
+
+from birdcage_tui.shown.view import STALE_S, SignalSample
+
+KEPT = 2000
+MOVED_S = 0.3
+"""So long after it was read a position still holds while the dish moves."""
+
+
+class SignalBook:
+    """Kept by the app: what each source has told."""
+
+    def __init__(self) -> None:
+        self.chosen = TUNER_FACTS
+        """Of the source that the feed names."""
+        self._facts: dict[str, SignalFacts] = {}
+        self._samples: dict[str, deque[SignalSample]] = {}
+
+    def choose(self, facts: SignalFacts) -> None:
+        """Show the source of another feed, and nothing of what was heard through the one before."""
+        self.chosen = facts
+        self._samples.clear()
+
+    def of(self, facts: SignalFacts) -> deque[SignalSample]:
+        """Return what a source has told, the newest last."""
+        self._facts[facts.id] = facts
+        return self._samples.setdefault(facts.id, deque(maxlen=KEPT))
+
+    def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
+        """Take what a source has told, and where the dish pointed then, if that is known."""
+        self.of(facts).append(SignalSample(reading.at, reading.value, *_where(reading.at, facts, state)))
+
+    @property
+    def heard(self) -> SignalFacts:
+        """Whose `samples` are shown: another source goes before the tuner while it tells, and until that tells more."""
+        if self.chosen.id != TUNER:
+            return self.chosen
+        told = {name: samples[-1].at for name, samples in self._samples.items() if samples}
+        newest = max(told.values(), default=0.0)
+        telling = [name for name, at in told.items() if newest - at <= self._facts[name].pause_s]
+        name = max(telling, key=lambda name: (name != TUNER, told[name]), default=None)
+        return self.chosen if name is None else self._facts[name]
+
+    @property
+    def samples(self) -> Sequence[SignalSample]:
+        """What that one told, the newest last."""
+        return tuple(self.of(self.heard))
+
+
+def _where(at: float, facts: SignalFacts, state: StationState) -> tuple[float | None, float | None]:
+    """Return the true direction at a monotonic time; Nones while it was not read then.
+
+    Whatever is not the dish tells also while the dish does not: then its last position is of before.
+    """
+    position = state.position
+    if position is None or position.modelled:
+        return None, None
+    holds_s = MOVED_S if state.activity in MOVING else STALE_S
+    known = state.link.state is LinkPhase.UP and state.position_lost is None and abs(at - position.told_at) <= holds_s
+    return (position.az_deg, position.el_deg) if facts.of_dish or known else (None, None)

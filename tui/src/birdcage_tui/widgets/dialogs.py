@@ -1,0 +1,127 @@
+"""Dialogs lie over a page and leave row 1 alive: a question in words."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from rich.text import Text
+from textual import on
+from textual.app import ComposeResult
+from textual.containers import Vertical, VerticalScroll
+from textual.message import Message
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.shown.stop_words import esc_text, stop_keys
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.layer import Found, Layer
+from birdcage_tui.widgets.status import TopRow
+
+EDGE = 2
+"""Columns of the lower edge of a frame's inside that its words leave free."""
+
+
+class Dialog(ModalScreen[Found], Layer[Found]):
+    """Lies over a page, and leaves row 1 alive."""
+
+    KEYS = ""
+    """What its keys do, for the lower edge of its frame; `show` adds what closes it and what stops the dish."""
+    OTHER = ""
+    """What closes it while anything moves or may move: Esc stops the dish then, and the dialog stays."""
+
+    _edge = ""
+
+    def on_mount(self) -> None:
+        """Fill row 1."""
+        cast(AppHost, self.app).paint()
+
+    def show(self, view: View) -> None:
+        """Name in the frame the key that closes it now, which is a target for the mouse, and what stops the dish."""
+        frame = self.query_one_optional(Vertical)
+        closes = esc_text(view, closes="closes", other=self.OTHER)
+        target = f"[bold @click=screen.leave]{closes}[/]"
+        shapes = ((f"{self.KEYS}, ", f", {stop_keys(view)}"), (f"{self.KEYS}, ", ""), ("", ""))
+        if view.may_move:  # where Esc does not close it, that comes before what Enter does
+            shapes = (shapes[0], ("", f", {stop_keys(view)}"), ("", ", Esc stops"))
+        room = self.size.width if frame is None else frame.size.width - EDGE
+        before, after = next(
+            (shape for shape in shapes if len(shape[0]) + len(closes) + len(shape[1]) <= room), shapes[-1]
+        )
+        words = f"{before}{target}{after}"
+        if self.KEYS and words != self._edge and frame is not None:
+            self._edge = frame.border_subtitle = words
+
+    def action_leave(self) -> None:
+        """Close without a result."""
+        self.dismiss(None)
+
+
+DECLINE = "do nothing"
+
+
+class AnswerRow(Static):
+    """One answer on a row of its own: its key, its words, and a target for the mouse."""
+
+    class Given(Message):
+        """A person pressed it."""
+
+        def __init__(self, yes: bool) -> None:
+            super().__init__()
+            self.yes = yes
+
+    def __init__(self, key: str, words: str, *, yes: bool) -> None:
+        super().__init__()
+        self.means_yes, self._told = yes, ("", "")
+        self.tell(key, words)
+
+    def tell(self, key: str, words: str) -> None:
+        """Show this key and these words."""
+        if self._told != (key, words):
+            self._told = (key, words)
+            self.update(Text.assemble((f" {key} ", "bold reverse"), f" {words}"))
+
+    def on_click(self) -> None:
+        """Tell the dialog."""
+        self.post_message(self.Given(self.means_yes))
+
+
+class QuestionScreen(Dialog[bool]):
+    """Asks once, in words that name the consequence. `y` does it; Esc, n or Enter do not."""
+
+    BINDINGS = [("y", "answer(True)", "yes"), ("escape,n,enter", "answer(False)", "no")]  # noqa: RUF012
+
+    def __init__(self, title: str, words: str, yes: str) -> None:
+        super().__init__()
+        self._title, self._words, self._yes = title, words, yes
+
+    def compose(self) -> ComposeResult:
+        """The words, and both answers."""
+        yield TopRow()
+        with Vertical() as frame:
+            frame.border_title = self._title
+            with VerticalScroll():
+                yield Static(self._words, markup=False)
+            with Vertical(id="answers"):
+                yield AnswerRow(" y ", self._yes, yes=True)
+                yield AnswerRow("Esc", DECLINE, yes=False)
+
+    def on_mount(self) -> None:
+        """Let the arrows scroll words that are longer than the screen."""
+        super().on_mount()
+        self.query_one(VerticalScroll).focus()
+
+    def show(self, view: View) -> None:
+        """Name the key that declines: Esc stops the dish while it moves or may move."""
+        esc = ("n", f"{DECLINE}. Esc stops the dish") if view.may_move else ("Esc", DECLINE)
+        for answer in self.query(AnswerRow):
+            if not answer.means_yes:
+                answer.tell(*esc)
+
+    @on(AnswerRow.Given)
+    def _given(self, answer: AnswerRow.Given) -> None:
+        self.dismiss(answer.yes)
+
+    def action_answer(self, yes: bool) -> None:
+        """Close with the answer."""
+        self.dismiss(yes)

@@ -1,0 +1,41 @@
+"""What every page is: a container that shows views while it is visible."""
+
+from __future__ import annotations
+
+from textual.containers import Container
+from textual.widget import Widget
+
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+
+
+class Page(Container):
+    """A page. `WATCHES` names what the station should read while somebody looks at it."""
+
+    WATCHES: frozenset[str] = frozenset({"position"})
+    """The status line shows the position on every page."""
+    RATE_HZ = 1.0
+    FIRST_FOCUS: str | None = None
+    """The selector of what has the focus on arrival; never a text field. None: nothing has."""
+
+    @property
+    def scope(self) -> str:
+        """The page's name, which its commands have in `where`."""
+        return (self.id or "").removeprefix("page-")
+
+    @property
+    def part(self) -> Widget:
+        """What of it is seen, and says in `HELP` what it is for."""
+        return self
+
+    def show(self, view: View) -> None:
+        """Hand the view to every pane."""
+        for pane in self.walk_children(Pane):
+            pane.show(view)
+
+    def place_changed(self) -> None:
+        """Take in that the dish stands elsewhere; a page that keeps no place of its own does nothing."""
+
+    def do(self, command: str) -> bool:  # noqa: ARG002 - a page without commands of its own
+        """Carry out a command of this page; return False for one that it does not know."""
+        return False
