@@ -22,7 +22,6 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.readings import settled
-from birdcage.rotator.rotator import Rotator
 from birdcage.rotator.values import (
     MOTOR_AZIMUTH,
     MOTOR_ELEVATION,

@@ -40,7 +40,7 @@ class PassesPage(Page):
 
     DEFAULT_CSS = """
     PassesPage { layout: vertical; }
-    PassesPage PassHead { height: 1; }
+    PassesPage PassHeadRow { height: 1; }
     PassesPage #pass-upper { height: auto; }
     PassesPage PassList, PassesPage PassSky, PassesPage PassStrip, PassesPage PassFigures, PassesPage Timeline,
     PassesPage PassWorld { border: round $line; border-title-color: $dim; border-title-style: none;
