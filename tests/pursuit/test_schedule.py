@@ -8,7 +8,7 @@ from datetime import UTC, datetime, timedelta
 from birdcage.base.config.tracking_sections import AutotrackSettings
 from birdcage.pursuit.schedule import Direction, KeptPass, ScheduleCandidate, schedule
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Lost, PassReach, Stretch
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 RULES = AutotrackSettings(min_elevation_deg=10.0, min_duration_s=120.0, hysteresis_s=60.0, hours=24.0)
@@ -29,7 +29,9 @@ def one(name, start, end, priority=0, top=50.0, number=None, gap=None):
         off = ((moment - NOW).total_seconds() - middle) / half
         return Direction(90.0 + 90.0 * off, top - (top - 5.0) * off * off)
 
-    reach = PassReach(tuple(Stretch(at(a), at(b)) for a, b in spans), (Lost(at(start - 60), at(start), "floor"),), top)
+    reach = PassReach(
+        tuple(Stretch(at(a), at(b)) for a, b in spans), (Lost(at(start - 60), at(start), LossReason.FLOOR),), top
+    )
     return ScheduleCandidate(passing, reach, priority, where)
 
 
@@ -71,7 +73,7 @@ def test_too_low_and_too_short_say_so():
 
 
 def test_what_never_comes_within_reach_or_is_over_or_too_far_ahead_is_no_candidate():
-    never = replace(one("NEVER", 100, 500), reach=PassReach((), (Lost(at(100), at(500), "floor"),), None))
+    never = replace(one("NEVER", 100, 500), reach=PassReach((), (Lost(at(100), at(500), LossReason.FLOOR),), None))
     assert schedule([never, one("OVER", -900, -300), one("FAR", 90_000, 90_600)], RULES, 20.0, NOW) == ()
 
 

@@ -16,6 +16,7 @@ from birdcage.sky.propagate import Fleet, track
 from birdcage.sky.reach import reach, sample_times
 from birdcage.sky.reach_cable import runs_of
 from birdcage.sky.reach_limits import NoGo, ReachLimits
+from birdcage.sky.reach_model import Lost
 from birdcage.sky.reach_speed import azimuth_room, too_fast
 from hypothesis import given
 from hypothesis import strategies as st
@@ -52,7 +53,9 @@ def seconds(moment):
 
 def shown(found):
     """Intervals and losses as (start, end, turn or reason), in seconds from culmination."""
-    spans = [(seconds(one.start), seconds(one.end), getattr(one, "reason", None)) for one in found]
+    spans = [
+        (seconds(one.start), seconds(one.end), one.cause.words if isinstance(one, Lost) else None) for one in found
+    ]
     return [(pytest.approx(start, abs=0.1), pytest.approx(end, abs=0.1), reason) for start, end, reason in spans]
 
 
@@ -124,7 +127,7 @@ def test_a_sector_may_contain_north_and_may_be_passed_over():
     low_mast = NoGo(350.0, 10.0, 30.0)
     found = reach(flyover(60.0, towards_deg=270.0), ReachLimits(no_go=(low_mast,)))
     assert found.lost == ()
-    assert reach(flyover(25.0, towards_deg=270.0), ReachLimits(no_go=(low_mast,))).reasons == ("no-go",)
+    assert reach(flyover(25.0, towards_deg=270.0), ReachLimits(no_go=(low_mast,))).words() == ("no-go",)
 
 
 def test_a_turn_that_holds_the_whole_pass_is_found():

@@ -154,7 +154,7 @@ def test_a_mast_is_passed_above_and_only_when_there_is_time():
     az = float(np.interp(np.mean(t), t, clear.course.az_deg)) % 360.0
     masted = plan_of(4.0, mount(no_go=(NoGo(az - 8.0, az + 8.0, 62.0, "mast"),)))
     before, after = masted.legs
-    assert "no-go: mast" in masted.reach.reasons
+    assert "no-go: mast" in masted.reach.words()
     assert after.waypoints[0][1] > 62.0
     assert after.waypoints[0][0] == pytest.approx(before.to_az_deg, abs=1e-6)
     assert after.waypoints[-1] == pytest.approx(masted.course.at(after.start_s), abs=1e-6)

@@ -9,9 +9,10 @@ from datetime import UTC, datetime
 from birdcage.sky.footprint import footprint
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 from birdcage.sky.terminator import sub_solar
 from birdcage.sky.world import SubPoint, WorldView
-from birdcage_tui.shown.sky_picture import Age, DopplerFrequency, InReach, Lost, Path, Row, ShownPath, SkyPicture, Up
+from birdcage_tui.shown.sky_picture import Age, DopplerFrequency, Path, Row, ShownPath, SkyPicture, Up
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
 LRPT = DopplerFrequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))
@@ -34,6 +35,19 @@ def path_of(start_s, length_s, from_az, to_az, top_deg):
     return Path(tuple(times), tuple(azimuths), tuple(elevations), tuple(ranges), tuple(rates))
 
 
+def utc(t_s):
+    return datetime.fromtimestamp(t_s, UTC)
+
+
+def in_reach(*spans, lost=(), best=None):
+    """Reach as of spans in POSIX seconds; `lost` has a reason too."""
+    return PassReach(
+        tuple(Stretch(utc(start), utc(end)) for start, end in spans),
+        tuple(Lost(utc(start), utc(end), LossReason(reason)) for start, end, reason in lost),
+        best,
+    )
+
+
 def reach_of(path, floor=FLOOR, ceiling=CEILING):
     """What lies between floor and ceiling."""
     intervals, lost, state, since = [], [], None, path.t_s[0]
@@ -44,11 +58,11 @@ def reach_of(path, floor=FLOOR, ceiling=CEILING):
             if state == "":
                 intervals.append((since, end))
             elif state is not None:
-                lost.append(Lost(since, end, state))
+                lost.append((since, end, state))
             state, since = now, end
     best = max((el for t_s, el in zip(path.t_s, path.el_deg, strict=True)
                 if any(a <= t_s <= b for a, b in intervals)), default=None)  # fmt: skip
-    return InReach(tuple(intervals), tuple(lost), best)
+    return in_reach(*intervals, lost=lost, best=best)
 
 
 PASSES = (

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 import sky_stand_in
 from birdcage_tui.shown.pass_words import reach_text
-from birdcage_tui.shown.sky_picture import InReach, Lost, ShownPath
+from birdcage_tui.shown.sky_picture import ShownPath
 from test_passes_page import on_page, pressed
 from track_plans import NOON
 from track_stage import SIZES, read, run
@@ -71,7 +71,7 @@ def geo_row(**changes):
     return replace(
         sky_stand_in.rows()[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True, favourite=True,
         aos_s=NOON, tca_s=NOON + 3600.0, los_s=NOON + 86400.0, max_el_deg=40.0, way=ShownPath(lambda: path),
-        reach=InReach(((NOON, NOON + 86400.0),), (), 40.0), **changes,
+        reach=sky_stand_in.in_reach((NOON, NOON + 86400.0), best=40.0), **changes,
     )  # fmt: skip
 
 
@@ -92,4 +92,6 @@ def test_f7_lists_and_draws_it_without_a_duration(size):
 def test_a_pass_that_lasts_beyond_the_search_is_longer_than_what_was_searched():
     row = replace(geo_row(), already_up=False)
     assert reach_text(row) == ">24h"
-    assert reach_text(replace(geo_row(), reach=InReach((), (Lost(NOON, NOON + 86400.0, "floor"),), None))) == "none"
+    assert (
+        reach_text(replace(geo_row(), reach=sky_stand_in.in_reach(lost=((NOON, NOON + 86400.0, "floor"),)))) == "none"
+    )

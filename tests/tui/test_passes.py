@@ -6,14 +6,14 @@ from birdcage_tui.passes.choose import SORTS, PassFilter, matcher
 from birdcage_tui.passes.layout import VIEWS, layout
 from birdcage_tui.passes.machine import SPEEDS, TimeMachine
 from birdcage_tui.shown.pass_words import count_text, length_text, reach_sign, reasons_text, shift_text
-from birdcage_tui.shown.sky_picture import InReach, Lost, Path, Row
+from birdcage_tui.shown.sky_picture import Path, Row
 
-T = sky_stand_in.NOON
+T, in_reach = sky_stand_in.NOON, sky_stand_in.in_reach
 ROWS = sky_stand_in.rows()
 
 
 def row(*intervals, lost=(), aos=T + 600, los=T + 1200, **more):
-    reach = InReach(intervals, lost, 40.0 if intervals else None)
+    reach = in_reach(*intervals, lost=lost, best=40.0 if intervals else None)
     return Row("SAT", 1, aos, (aos + los) / 2, los, 10.0, 90.0, 170.0, 40.0, reach, **more)
 
 
@@ -37,20 +37,19 @@ def test_a_path_goes_the_short_way_over_north():
 
 
 def test_a_pass_without_losses_but_at_its_ends_is_told_so():
-    ends = (Lost(0, 60, "floor"), Lost(500, 600, "horizon"))
-    assert reach_sign(InReach(((60, 500),), ends, 40.0)) == ("●", "good", "")
-    cut = InReach(((60, 200), (260, 500)), (*ends, Lost(200, 260, "keyhole")), 60.0)
+    ends = ((0, 60, "floor"), (500, 600, "horizon"))
+    assert reach_sign(in_reach((60, 500), lost=ends, best=40.0)) == ("●", "good", "")
+    cut = in_reach((60, 200), (260, 500), lost=(*ends, (200, 260, "keyhole")), best=60.0)
     assert reach_sign(cut) == ("◍", "good", "keyhole")
-    trees = InReach(((60, 200), (260, 500)), (Lost(200, 260, "horizon"),), 60.0)
+    trees = in_reach((60, 200), (260, 500), lost=((200, 260, "horizon"),), best=60.0)
     assert reach_sign(trees) == ("◍", "good", "horizon"), "a hole in the middle is one, whatever makes it"
-    assert reach_sign(InReach((), (Lost(0, 600, "floor"),), None)) == ("○", "dim", "floor")
+    assert reach_sign(in_reach(lost=((0, 600, "floor"),))) == ("○", "dim", "floor")
     assert reach_sign(None)[0] == "·", "not worked out is not nothing"
 
 
 def test_reasons_are_told_by_what_they_cost():
-    assert InReach((), (Lost(0, 10, "cable"), Lost(10, 50, "floor"), Lost(50, 90, "cable")), None).reasons == (
-        "cable", "floor",
-    )  # fmt: skip
+    reach = in_reach(lost=((0, 10, "floor"), (10, 50, "cable"), (50, 60, "floor")))
+    assert reach_sign(reach) == ("○", "dim", "cable, floor")
 
 
 @pytest.mark.parametrize(

@@ -12,7 +12,6 @@ from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.strip import PassStrip
 from birdcage_tui.passes.timeline import WIDE_NAME, Timeline
-from birdcage_tui.shown.sky_picture import InReach
 from birdcage_tui.widgets.footer import KeyBar
 from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from stage import read, run
@@ -378,7 +377,7 @@ def test_the_end_of_the_search_is_no_event():
     table = sky_stand_in.rows()
     last = replace(table[1], still_up=True)
     end_s = last.los_s
-    held = replace(last, reach=InReach(((last.aos_s + 60.0, end_s),), (), 40.0))
+    held = replace(last, reach=sky_stand_in.in_reach((last.aos_s + 60.0, end_s), best=40.0))
     assert held.next_event(last.aos_s) == (last.aos_s + 60.0, "reach")
     assert held.next_event(last.aos_s + 90.0) is None, "nobody knows when it ends"
     assert "LOS" not in [word for _, word in held.events()]

@@ -78,7 +78,7 @@ def test_passes_come_with_reach_path_and_age(stage):
     assert path.t_s[0] == pytest.approx(soon.aos_s, abs=1e-3)
     assert path.el_deg[0] == pytest.approx(0.0, abs=0.05)
     assert max(path.el_deg) == pytest.approx(soon.max_el_deg, abs=0.05)
-    start, _ = soon.reach.intervals[0]
+    start = soon.reach.intervals[0].start_s
     assert soon.path.at(start)[1] == pytest.approx(18.0, abs=0.3), "the dish's floor"
     assert soon.age.words == "made up for the demo"
     assert not any(row.name.startswith("DEMO") for row in sky.rows), "the status line says so already"

@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 import stand_in
 import track_stand_in
-from birdcage.sky.reach_model import Lost, PassReach
+from birdcage.sky.reach_model import LossReason, Lost, PassReach
 from birdcage.station.requests import Release
 from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.track.found import FoundList
@@ -264,7 +264,7 @@ def test_without_a_place_it_says_what_to_do_first(size):
 def test_what_a_mask_hides_all_the_way_can_be_followed_and_says_so(minutes, says):
     async def hidden(app, pilot, desk):
         plan = track_stand_in.plan(minutes=minutes)
-        lost = tuple(Lost(one.start, one.end, "horizon") for one in plan.reach.intervals)
+        lost = tuple(Lost(one.start, one.end, LossReason.HORIZON) for one in plan.reach.intervals)
         desk.show(track_stand_in.desk(replace(plan, reach=PassReach((), lost, None))))
         await pilot.pause()
         app.paint()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import stand_in
 from birdcage.pursuit.now import Scheduled, Unfinished
-from birdcage.sky.reach_model import Lost, PassReach, Stretch
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
 from birdcage_tui.shown.track_words import reach_words
@@ -108,7 +108,8 @@ def moon_day():
     sky = Curve(times, times * 0.0 + 180.0, 10.0 + 40.0 * np.cos((times - NOON) / 86400.0 * 2.0 * np.pi))
     spans = (Stretch(utc(NOON), utc(NOON + 11000.0), 0), Stretch(utc(NOON + 75600.0), utc(NOON + 86400.0), 0))
     return replace(
-        moon(), day=Day(sky, PassReach(spans, (Lost(utc(NOON + 11000.0), utc(NOON + 75600.0), "floor"),), 50.0))
+        moon(),
+        day=Day(sky, PassReach(spans, (Lost(utc(NOON + 11000.0), utc(NOON + 75600.0), LossReason.FLOOR),), 50.0)),
     )
 
 

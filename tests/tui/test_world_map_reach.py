@@ -9,7 +9,6 @@ import sky_stand_in
 from birdcage.sky.world import SubPoint
 from birdcage.station.pursuit_state import Phase
 from birdcage_tui.passes.world_map_ask import reach_span_text
-from birdcage_tui.shown.sky_picture import InReach
 from test_world_map import VIEW, drawn, followed, rows_of
 
 
@@ -32,8 +31,8 @@ def test_what_the_dish_follows_is_named_as_that_among_many(chosen):
 def test_a_pass_in_view_that_the_dish_cannot_follow_says_so():
     row = sky_stand_in.rows()[0]
     spans = ((row.aos_s + 60.0, row.aos_s + 120.0), (row.aos_s + 240.0, row.aos_s + 300.0))
-    told = replace(row, reach=InReach(spans))
-    assert reach_span_text(replace(row, reach=InReach()), row.aos_s) == "never in reach"
+    told = replace(row, reach=sky_stand_in.in_reach(*spans))
+    assert reach_span_text(replace(row, reach=sky_stand_in.in_reach()), row.aos_s) == "never in reach"
     assert re.fullmatch(r"in reach \d\d:\d\d-\d\d:\d\d", reach_span_text(told, row.aos_s))
     assert re.fullmatch(r"in reach to \d\d:\d\d", reach_span_text(told, row.aos_s + 90.0))
     assert reach_span_text(told, row.aos_s + 301.0) == "no longer in reach"

@@ -15,7 +15,7 @@ from birdcage.sky.downlinks import Downlink
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import Lost, PassReach, Stretch
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
 from birdcage.tracking.plan import Forecast, Incident, Keyhole, Plan, PlanLeg, PlanPart, PlanTarget, Preposition
@@ -41,11 +41,7 @@ def way(start_s, length_s, from_az, to_az, top_deg):
 
 def reach_of(path):
     found = sky_stand_in.reach_of(path)
-    return PassReach(
-        tuple(Stretch(utc(start), utc(end), 0) for start, end in found.intervals),
-        tuple(Lost(utc(each.start_s), utc(each.end_s), each.reason) for each in found.lost),
-        found.best_el_deg,
-    )
+    return replace(found, intervals=tuple(replace(one, turn=0) for one in found.intervals))
 
 
 def plan(name="METEOR-M2 4", number=59051, minutes=-4.0, length=14.0, from_az=341, to_az=158, top=71.0, *,
@@ -130,14 +126,14 @@ def geo(name="110.0°W EchoStar", *, az_deg=190.0, el_deg=40.0, drift_deg=0.0, l
     turn = np.sin((times - NOON) / 86400.0 * 2.0 * math.pi)
     day_sky = Curve(times, az_deg + 0.1 * drift_deg * turn, el_deg + 0.5 * drift_deg * turn)
     whole = Stretch(utc(NOON), utc(NOON + 86400.0), 0)
-    lost = Lost(utc(NOON), utc(NOON + 86400.0), "floor")
+    lost = Lost(utc(NOON), utc(NOON + 86400.0), LossReason.FLOOR)
     day_reach = PassReach((), (lost,), None) if limit else PassReach((whole,), (), el_deg)
     sky = Curve(times[:7], day_sky.az_deg[:7], day_sky.el_deg[:7])
     end_s = NOON + 3600.0
     dish = Forecast(times[:7], np.full(7, 0.03), None, 0.03, 0.06)
     bare = Plan(
         PlanTarget(name, "slot" if number is None else "satellite", number), utc(NOON), None,
-        PassReach((), (Lost(utc(NOON), utc(end_s), "floor"),), None), sky, None, (), None, (), None, (),
+        PassReach((), (Lost(utc(NOON), utc(end_s), LossReason.FLOOR),), None), sky, None, (), None, (), None, (),
         (f"Always up, out of reach: {limit}.",), day=Day(day_sky, day_reach, (limit,) if limit else ()),
     )  # fmt: skip
     if limit:

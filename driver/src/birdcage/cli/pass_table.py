@@ -69,7 +69,7 @@ def _cells(row: PassRow, start: datetime, freq_hz: float | None) -> tuple[str, .
         reach,
         f"{found.intervals[0].start:%H:%M:%S}" if found.intervals and not (stays and not found.lost) else "-",
         "-" if found.best_el_deg is None else f"{found.best_el_deg:.1f}°",
-        ", ".join(found.reasons) or "-",
+        ", ".join(found.words()) or "-",
         _sun(row),
         _age(row.epoch_age_s),
         _error(row),

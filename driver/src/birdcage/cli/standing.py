@@ -25,15 +25,16 @@ def what_stands_in_the_way(wanted: Wanted) -> Callable[[LookAngle], str | None]:
     the settings that limit motion could not be read. How far the cable has turned is a matter for the dish itself.
     """
     from birdcage.sky.reach_checks import checks_of
+    from birdcage.sky.reach_model import LossReason
 
     known = wanted.named_model is not None or wanted.settings.motion.min_elevation_deg is not None
     known = known and wanted.settings.motion_problem is None
     limits = limits_of(wanted)
     checks = checks_of(limits)
     words = {
-        "floor": f"below the floor of {limits.el_floor_deg:g}°",
-        "ceiling": f"above the ceiling of {limits.el_ceiling_deg:g}°",
-        "horizon": "behind the horizon of this place",
+        LossReason.FLOOR: f"below the floor of {limits.el_floor_deg:g}°",
+        LossReason.CEILING: f"above the ceiling of {limits.el_ceiling_deg:g}°",
+        LossReason.HORIZON: "behind the horizon of this place",
     }
 
     def judge(look: LookAngle) -> str | None:
@@ -41,7 +42,7 @@ def what_stands_in_the_way(wanted: Wanted) -> Callable[[LookAngle], str | None]:
             return "below the horizon"
         if not known:
             return None
-        broken = next((each.reason for each in checks if each.of_point(look.az_deg, look.el_deg) < 0.0), None)
-        return "" if broken is None else words.get(broken, broken)
+        broken = next((each.cause for each in checks if each.of_point(look.az_deg, look.el_deg) < 0.0), None)
+        return "" if broken is None else words.get(broken.reason, broken.words)
 
     return judge

@@ -15,9 +15,9 @@ import numpy as np
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_cable import Bools, Run, runs_of
-from birdcage.sky.reach_checks import Floats, LimitCheck, SampledTrack, SkyPath, cable_check, checks_of, crossing
+from birdcage.sky.reach_checks import CABLE, Floats, LimitCheck, SampledTrack, SkyPath, cable_check, checks_of, crossing
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import Lost, PassReach, Stretch
+from birdcage.sky.reach_model import LossCause, LossReason, Lost, PassReach, Stretch
 from birdcage.sky.reach_speed import azimuth_room, too_fast
 
 _FINE_S = 0.05
@@ -52,11 +52,11 @@ def sample_times(passing: Pass) -> Floats:
 
 @dataclass(slots=True)
 class _Span:
-    """A stretch or a loss while it is being made; `reason` is empty for a stretch."""
+    """A stretch or a loss while it is being made; `cause` is None for a stretch."""
 
     start: float
     end: float
-    reason: str
+    cause: LossCause | None
     turn: int | None = None
 
 
@@ -74,10 +74,10 @@ class _Work:
         runs = runs_of(self._path.t, self._path.az, self._allowed, self._limits)
         stretches = [span for run in runs for span in self._stretches(run)]
         spans = self._cut(self._with_losses(stretches), self._keyholes(stretches))
-        followed = [span for span in spans if not span.reason]
+        followed = [span for span in spans if span.cause is None]
         return PassReach(
             tuple(Stretch(self._utc(span.start), self._utc(span.end), span.turn) for span in followed),
-            tuple(Lost(self._utc(span.start), self._utc(span.end), span.reason) for span in spans if span.reason),
+            tuple(Lost(self._utc(span.start), self._utc(span.end), *span.cause) for span in spans if span.cause),
             self._highest(followed),
         )
 
@@ -103,7 +103,7 @@ class _Work:
             if last < len(path) - 1 and (left := self._crossings(checks, failing[:, last + 1], last)):
                 end = min(left)
             if end - start > _SHORTEST_S:
-                yield _Span(start, end, "", turn)
+                yield _Span(start, end, None, turn)
 
     def _crossings(self, checks: list[LimitCheck], failing: Bools, index: int) -> list[float]:
         """Return when the limits that fail at one end of an interval are crossed in it."""
@@ -132,14 +132,14 @@ class _Work:
         for change in np.flatnonzero(np.diff(codes)):
             index, before, after = int(within[change]), int(codes[change]), int(codes[change + 1])
             edge = crossing(path, self._checks[min(before, after)], index)
-            yield _Span(at, edge, self._reason(before))
+            yield _Span(at, edge, self._cause(before))
             at = edge
-        yield _Span(at, end, self._reason(int(codes[-1])) if len(codes) else self._reason_at((start + end) / 2.0))
+        yield _Span(at, end, self._cause(int(codes[-1])) if len(codes) else self._cause_at((start + end) / 2.0))
 
-    def _reason(self, code: int) -> str:
-        return self._checks[code].reason if code < len(self._checks) else "cable"
+    def _cause(self, code: int) -> LossCause:
+        return self._checks[code].cause if code < len(self._checks) else CABLE
 
-    def _reason_at(self, t: float) -> str:
+    def _cause_at(self, t: float) -> LossCause:
         """Return why a part is lost that lies between two samples, by its middle."""
         index = int(np.clip(np.searchsorted(self._path.t, t) - 1, 0, len(self._path) - 2))
         az, el = self._path.between(index)(t)
@@ -147,7 +147,7 @@ class _Work:
         code = next((code for code, by in enumerate(inside) if by < 0.0), len(inside))
         if code == len(inside) and self._limits.cable is None:  # the curve and the samples differ by a hair
             code = inside.index(min(inside))
-        return self._reason(code)
+        return self._cause(code)
 
     def _keyholes(self, stretches: list[_Span]) -> list[tuple[float, float]]:
         """Return when the dish cannot keep up, looked at closely only if the samples say that it may not."""
@@ -192,14 +192,14 @@ class _Work:
         for begin, end in holes:
             cut: list[_Span] = []
             for span in spans:
-                if span.reason or span.end <= begin or span.start >= end:
+                if span.cause or span.end <= begin or span.start >= end:
                     cut.append(span)
                     continue
                 left, right = max(span.start, begin), min(span.end, end)
                 parts = (
-                    _Span(span.start, left, "", span.turn),
-                    _Span(left, right, "keyhole"),
-                    _Span(right, span.end, "", span.turn),
+                    _Span(span.start, left, None, span.turn),
+                    _Span(left, right, LossCause(LossReason.KEYHOLE)),
+                    _Span(right, span.end, None, span.turn),
                 )
                 cut.extend(part for part in parts if part.end - part.start > _SHORTEST_S)
             spans = cut

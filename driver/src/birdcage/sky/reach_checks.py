@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.sky.reach_limits import Horizon, NoGo, ReachLimits
+from birdcage.sky.reach_model import LossCause, LossReason
 
 Floats = NDArray[np.float64]
 
@@ -19,6 +20,7 @@ EDGE_S = 0.01
 """How exactly a crossing is placed on the interpolated path."""
 _HAIR_DEG = 1e-3
 """A tenth of a motor's step: a pass that begins at the floor does not begin below it."""
+CABLE = LossCause(LossReason.CABLE)
 _MASK_STEPS = 1440
 """A horizon mask is looked up every quarter of a degree to find a crossing, and as it is to place it."""
 
@@ -69,15 +71,11 @@ class SkyPath:
         return at
 
 
-NO_TRACKING = "no tracking"
-"""Why a dish that follows nothing has no pass in reach."""
-
-
 @dataclass(frozen=True, slots=True)
 class LimitCheck:
     """One limit. Both functions take unrolled azimuth and elevation and return how far inside it they are."""
 
-    reason: str
+    cause: LossCause
     of_samples: Callable[[Floats, Floats], Floats]
     of_point: Callable[[float, float], float]
 
@@ -86,11 +84,13 @@ def checks_of(limits: ReachLimits) -> list[LimitCheck]:
     """Return the limits that depend on the direction alone, in the order in which they are named as a reason."""
     floor, ceiling = limits.el_floor_deg - _HAIR_DEG, limits.el_ceiling_deg + _HAIR_DEG
     checks = [
-        LimitCheck("floor", lambda _az, el: el - floor, lambda _az, el: el - floor),
-        LimitCheck("ceiling", lambda _az, el: ceiling - el, lambda _az, el: ceiling - el),
+        LimitCheck(LossCause(LossReason.FLOOR), lambda _az, el: el - floor, lambda _az, el: el - floor),
+        LimitCheck(LossCause(LossReason.CEILING), lambda _az, el: ceiling - el, lambda _az, el: ceiling - el),
     ]
     if not limits.follows:
-        checks = [LimitCheck(NO_TRACKING, lambda az, _el: np.full_like(az, -1.0), lambda _az, _el: -1.0)]
+        checks = [
+            LimitCheck(LossCause(LossReason.NO_TRACKING), lambda az, _el: np.full_like(az, -1.0), lambda _az, _el: -1.0)
+        ]
     if limits.horizon is not None:
         checks.append(_horizon_check(limits.horizon))
     checks.extend(_sector_check(sector) for sector in limits.no_go)
@@ -102,7 +102,7 @@ def cable_check(low_deg: float, high_deg: float, turns: Sequence[int], az_offset
     low = low_deg + az_offset_deg - 360.0 * min(turns)
     high = high_deg + az_offset_deg - 360.0 * max(turns)
     return LimitCheck(
-        "cable",
+        CABLE,
         lambda az, _el: np.minimum(az - low, high - az),
         lambda az, _el: min(az - low, high - az),
     )
@@ -135,7 +135,7 @@ def crossing(path: SkyPath, check: LimitCheck, index: int) -> float:
 def _horizon_check(mask: Horizon) -> LimitCheck:
     azimuths, lowest = _mask_table(mask)
     return LimitCheck(
-        "horizon",
+        LossCause(LossReason.HORIZON),
         lambda az, el: el - np.interp(az % 360.0, azimuths, lowest),
         lambda az, el: el - mask.at(az % 360.0),
     )
@@ -159,4 +159,4 @@ def _sector_check(sector: NoGo) -> LimitCheck:
     def of_point(az: float, el: float) -> float:
         return max(abs((az - middle + 180.0) % 360.0 - 180.0) - half, el - below)
 
-    return LimitCheck(f"no-go: {sector.reason}" if sector.reason else "no-go", of_samples, of_point)
+    return LimitCheck(LossCause(LossReason.NO_GO, sector.reason), of_samples, of_point)

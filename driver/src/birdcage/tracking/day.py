@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from birdcage.sky.reach_model import PassReach
+from birdcage.sky.reach_model import LossReason, PassReach
 from birdcage.tracking.curve import Curve
 
 HOURS = 24.0
@@ -101,7 +101,7 @@ class Day:
     @property
     def hidden(self) -> bool:
         """Whether only the horizon mask is in the way, all day: the dish follows, and nothing is heard."""
-        return self.never_in_reach and self.reach.reasons == ("horizon",)
+        return self.never_in_reach and self.reach.reasons == (LossReason.HORIZON,)
 
 
 def _joined(words: Sequence[str]) -> str:

@@ -13,7 +13,7 @@ from birdcage.sky.downlinks_words import downlink_values
 from birdcage.sky.element_error import ElementError
 from birdcage.sky.export.fields import iso
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_model import PassReach
+from birdcage.sky.reach_model import LossReason, PassReach
 from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.plan import Forecast, Plan, PlanLeg, Preposition
 from birdcage.tracking.pointing_error import Level, PointingError
@@ -88,7 +88,7 @@ def _reach(reach: PassReach, *, goes_on: bool) -> dict[str, Any]:
             {"start": iso(one.start), "end": None if one is last else iso(one.end), "turn": one.turn}
             for one in reach.intervals
         ],
-        "lost": [{"start": iso(one.start), "end": iso(one.end), "reason": one.reason} for one in reach.lost],
+        "lost": [{"start": iso(one.start), "end": iso(one.end), "reason": one.cause.words} for one in reach.lost],
     }
 
 
@@ -170,7 +170,8 @@ def follows(plan: Plan, at_s: float) -> bool:
 def is_hidden(plan: Plan, at_s: float) -> bool:
     """Return whether the target is behind the horizon mask at a time."""
     return any(
-        one.reason == "horizon" and one.start.timestamp() <= at_s <= one.end.timestamp() for one in plan.reach.lost
+        one.reason is LossReason.HORIZON and one.start.timestamp() <= at_s <= one.end.timestamp()
+        for one in plan.reach.lost
     )
 
 

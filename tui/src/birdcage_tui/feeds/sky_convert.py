@@ -22,8 +22,6 @@ from birdcage_tui.shown.sky_picture import (
     GRADE_INKS,
     Age,
     DopplerFrequency,
-    InReach,
-    Lost,
     Path,
     Row,
     ShownPath,
@@ -35,7 +33,6 @@ if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet
     from birdcage.sky.pass_row import PassRow
     from birdcage.sky.reach_limits import Horizon
-    from birdcage.sky.reach_model import PassReach
 
 SAMPLES = 72
 """Of a path: closer than a dot of the largest picture, and half of them about the top, where azimuth sweeps."""
@@ -187,7 +184,7 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
         passing.tca_azimuth_deg,
         passing.los_azimuth_deg,
         passing.max_elevation_deg,
-        _reach(found.reach),
+        found.reach,
         ShownPath(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, later_s)),
         favourite,
         groups,
@@ -198,14 +195,6 @@ def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str,
         found.sunlit_share,
         None if found.sun is None else (found.sun.at.timestamp(), found.sun.separation_deg),
         origin=found,
-    )
-
-
-def _reach(reach: PassReach) -> InReach:
-    return InReach(
-        tuple((one.start.timestamp(), one.end.timestamp()) for one in reach.intervals),
-        tuple(Lost(one.start.timestamp(), one.end.timestamp(), one.reason) for one in reach.lost),
-        reach.best_el_deg,
     )
 
 

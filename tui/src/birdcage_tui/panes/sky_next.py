@@ -48,7 +48,7 @@ def next_rows(view: View) -> list[Row]:
     for row in view.sky.rows:
         if row.age is not None and row.age.useless:
             continue
-        if row.reach is not None and row.reach.intervals and row.reach.intervals[-1][1] > now_s:
+        if row.reach is not None and row.reach.intervals and row.reach.intervals[-1].end_s > now_s:
             event = row.next_event(now_s)
             if event is not None:
                 found.append((event[0], row))

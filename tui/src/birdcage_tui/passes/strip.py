@@ -131,7 +131,7 @@ class PassStrip(Pane):
         """Write AOS and LOS at the ends, then the edges of reach where they fit."""
         cells.put(AXIS, y, clock_text(row.aos_s), "dim")
         cells.right(AXIS + width, y, clock_text(row.los_s), "dim")
-        edges = () if row.reach is None else [edge for interval in row.reach.intervals for edge in interval]
+        edges = () if row.reach is None else [edge for one in row.reach.intervals for edge in (one.start_s, one.end_s)]
         for at_s in edges:
             words = clock_text(at_s)
             x = AXIS + int((at_s - row.aos_s) / (row.los_s - row.aos_s) * width) - len(words) // 2

@@ -128,8 +128,8 @@ class Timeline(Pane):
         first, last = self._column(row.aos_s), max(self._column(row.los_s), self._column(row.aos_s))
         for column in range(max(first, 0), min(last + 1, width)):
             cells.put(self._names + column, y, "─", "dim")
-        for start, end in () if row.reach is None else row.reach.intervals:
-            for column in range(max(self._column(start), 0), min(self._column(end) + 1, width)):
+        for one in () if row.reach is None else row.reach.intervals:
+            for column in range(max(self._column(one.start_s), 0), min(self._column(one.end_s) + 1, width)):
                 cells.put(self._names + column, y, "━", "target-strong")
 
     def _height(self, cells: Cells, y: int, row: Row, width: int) -> None:

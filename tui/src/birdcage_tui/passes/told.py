@@ -85,7 +85,9 @@ class PassText:
             TextBlock([[("text", _held(row))]]),
         ]
         if row.reach is not None and not (row.stays and not row.reach.lost):
-            spans = [("text", f"  {clock_text(start)} to {clock_text(end)}") for start, end in row.reach.intervals[:3]]
+            spans = [
+                ("text", f"  {clock_text(one.start_s)} to {clock_text(one.end_s)}") for one in row.reach.intervals[:3]
+            ]
             blocks.append(TextBlock([spans]))
         blocks.append(TextBlock(self._elements()))
         if row.hears:
@@ -183,6 +185,6 @@ def _losses(row: Row, *, edges: bool) -> Lines:
     if row.reach is None:
         return []
     return [
-        ("dim", f"{lost.reason} {clock_text(lost.start_s)}, {length_text(lost.end_s - lost.start_s)}")
-        for lost in row.reach.lost if lost.end_s - lost.start_s >= 1.0 and (lost.reason in EDGES) == edges
+        ("dim", f"{lost.cause.words} {clock_text(lost.start.timestamp())}, {length_text(lost.duration_s)}")
+        for lost in row.reach.lost if lost.duration_s >= 1.0 and (lost.reason in EDGES) == edges
     ]  # fmt: skip

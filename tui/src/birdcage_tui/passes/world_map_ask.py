@@ -54,7 +54,7 @@ def reach_span_text(row: Row, t_s: float) -> str:
         return ""
     if not row.reach.intervals:
         return "never in reach"
-    left = [(start, end) for start, end in row.reach.intervals if end > t_s]
+    left = [(one.start_s, one.end_s) for one in row.reach.intervals if one.end_s > t_s]
     if not left:
         return "no longer in reach"
     start, end = left[0]

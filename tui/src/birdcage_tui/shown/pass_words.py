@@ -5,10 +5,14 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:  # the dashboard needs these words for its first frame, and no passes yet
-    from birdcage_tui.shown.sky_picture import InReach, Row
+from birdcage.sky.reach_model import LossReason
 
-EDGES = ("floor", "horizon")
+if TYPE_CHECKING:  # the dashboard needs these words for its first frame, and no passes yet
+    from birdcage.sky.reach_model import PassReach
+
+    from birdcage_tui.shown.sky_picture import Row
+
+EDGES = frozenset({LossReason.FLOOR, LossReason.HORIZON})
 """What lies between the geometric horizon and reach at both ends of a pass."""
 EVENT_WORDS = {"AOS": "rises", "reach": "in reach", "out": "out of reach", "LOS": "sets"}
 """What the words of `Row.events` count to, spelt out."""
@@ -41,7 +45,7 @@ def clock_text(t_s: float, *, seconds: bool = True) -> str:
     return f"{datetime.fromtimestamp(t_s, UTC):{'%H:%M:%S' if seconds else '%H:%M'}}"
 
 
-def reach_sign(reach: InReach | None) -> tuple[str, str, str]:
+def reach_sign(reach: PassReach | None) -> tuple[str, str, str]:
     """Return glyph, ink and words of whether a pass can be followed: in one go, with losses, or not; and why not.
 
     Every pass begins and ends below the floor or behind the horizon: that is no loss worth a word.
@@ -49,10 +53,10 @@ def reach_sign(reach: InReach | None) -> tuple[str, str, str]:
     if reach is None:
         return "·", "dim", ""
     if not reach.intervals:
-        return "○", "dim", ", ".join(reach.reasons)
-    losses = [reason for reason in reach.reasons if reason not in EDGES]
+        return "○", "dim", ", ".join(reach.words(costliest_first=True))
+    losses = reach.words(but=EDGES, costliest_first=True)
     if not losses and len(reach.intervals) > 1:
-        losses = list(reach.reasons)
+        losses = reach.words(costliest_first=True)
     return ("◍", "good", ", ".join(losses)) if losses else ("●", "good", "")
 
 
@@ -74,7 +78,7 @@ def reach_text(row: Row) -> str:
         return "none"
     if row.stays:
         return "parts" if row.reach.lost else "always"
-    cut = row.still_up and row.los_s - row.reach.intervals[-1][1] <= 1.0
+    cut = row.still_up and row.los_s - row.reach.intervals[-1].end_s <= 1.0
     return f">{row.reach.total_s / 3600.0:.0f}h" if cut and row.reach.total_s >= 3600.0 else length_text(row.reach_s)
 
 

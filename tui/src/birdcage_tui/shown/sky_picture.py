@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.reach_model import PassReach
 
 if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow
@@ -84,42 +85,6 @@ class ShownPath:
 
 
 @dataclass(frozen=True, slots=True)
-class Lost:
-    """A part of a pass in which the dish cannot point there."""
-
-    start_s: float
-    end_s: float
-    reason: str
-    """`floor`, `ceiling`, `horizon`, `no-go: mast`, `cable` or `keyhole`."""
-
-
-@dataclass(frozen=True, slots=True)
-class InReach:
-    """What of a pass this dish can follow."""
-
-    intervals: tuple[tuple[float, float], ...] = ()
-    lost: tuple[Lost, ...] = ()
-    best_el_deg: float | None = None
-
-    @property
-    def total_s(self) -> float:
-        """How long in all."""
-        return sum(end - start for start, end in self.intervals)
-
-    @property
-    def reasons(self) -> tuple[str, ...]:
-        """Why not all of it: each reason once, the one that costs most first."""
-        cost: dict[str, float] = {}
-        for lost in self.lost:
-            cost[lost.reason] = cost.get(lost.reason, 0.0) + lost.end_s - lost.start_s
-        return tuple(sorted(cost, key=lambda reason: -cost[reason]))
-
-    def holds(self, t_s: float) -> bool:
-        """Return whether the dish can point there at that time."""
-        return any(start <= t_s <= end for start, end in self.intervals)
-
-
-@dataclass(frozen=True, slots=True)
 class Age:
     """How much the elements may be trusted for a pass."""
 
@@ -157,7 +122,7 @@ class Row:
     tca_az_deg: float
     los_az_deg: float
     max_el_deg: float
-    reach: InReach | None = None
+    reach: PassReach | None = None
     """None while it is not worked out."""
     way: ShownPath | None = None
     favourite: bool = False
@@ -208,11 +173,11 @@ class Row:
         found = [] if self.still_up else [(self.los_s, "LOS")]
         if not self.already_up:
             found.append((self.aos_s, "AOS"))
-        for start, end in () if self.reach is None else self.reach.intervals:
-            if start - self.aos_s > 1.0:
-                found.append((start, "reach"))
-            if self.los_s - end > 1.0:
-                found.append((end, "out"))
+        for one in () if self.reach is None else self.reach.intervals:
+            if one.start_s - self.aos_s > 1.0:
+                found.append((one.start_s, "reach"))
+            if self.los_s - one.end_s > 1.0:
+                found.append((one.end_s, "out"))
         return sorted(found)
 
     def next_event(self, t_s: float) -> tuple[float, str] | None:
@@ -220,11 +185,11 @@ class Row:
 
         None once it is over, and for what was up when the search ended: nothing later was searched.
         """
-        for start, end in () if self.reach is None else self.reach.intervals:
-            if t_s < start:
-                return start, "reach"
-            if t_s < end:
-                return None if self.still_up and self.los_s - end <= 1.0 else (end, "out")
+        for one in () if self.reach is None else self.reach.intervals:
+            if t_s < one.start_s:
+                return one.start_s, "reach"
+            if t_s < one.end_s:
+                return None if self.still_up and self.los_s - one.end_s <= 1.0 else (one.end_s, "out")
         if t_s < self.aos_s and not self.already_up:
             return self.aos_s, "AOS"
         return (self.los_s, "LOS") if t_s < self.los_s and not self.still_up else None

@@ -256,7 +256,7 @@ def reach_words(plan: Plan, room: int, at_s: float) -> str:
     if not intervals and plan.legs:
         return "always behind the horizon mask"
     if not intervals:
-        reasons = ", ".join(plan.reach.reasons)
+        reasons = ", ".join(plan.reach.words())
         never = "never in reach" if plan.passing is not None else f"out of reach for {ahead_words(plan)}"
         return f"{never}: {reasons}" if reasons else never
     total = length_text(plan.reach.total_s)

@@ -83,7 +83,7 @@ class TrackPasses(Pane):
         left_s = (passing.aos - view.utc).total_seconds()
         when = "up now" if left_s <= 0 else left_text(left_s)
         length = length_text(row.reach.total_s) if row.reach.intervals else "none"
-        losses = [reason for reason in row.reach.reasons if reason not in EDGES]
+        losses = row.reach.words(but=EDGES)
         words = (f"{passing.aos:%H:%M:%S} {passing.aos_azimuth_deg:3.0f}°  {passing.max_elevation_deg:4.0f}° "
                  f"{passing.los_azimuth_deg:4.0f}°  {length:>6}  {when:<8} ")  # fmt: skip
         words += reasons_text(", ".join(losses), max(cells.width - 2 - len(words), 0))

@@ -22,7 +22,7 @@ def passes_csv(
         spans = (f"{one.start:%Y-%m-%dT%H:%M:%SZ}/{one.end:%H:%M:%SZ}" for one in row.reach.intervals)
         always = row.passing.always_up and row.reach.intervals and not row.reach.lost
         values["reach"] = "always" if always else " ".join(spans)
-        values["not_reached_because"] = ", ".join(row.reach.reasons)
+        values["not_reached_because"] = ", ".join(row.reach.words())
         values = {name: str(value).lower() if isinstance(value, bool) else value for name, value in values.items()}
         if writer is None:
             writer = csv.DictWriter(out, list(values))

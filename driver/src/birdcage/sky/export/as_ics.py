@@ -47,8 +47,8 @@ def _lines(row: PassRow) -> list[str]:
         f"LOS {passing.los:%H:%M:%S} at {passing.los_azimuth_deg:.0f}° (all UTC)",
     ]
     lines += [f"In reach {one.start:%H:%M:%S} to {one.end:%H:%M:%S}" for one in found.intervals] or ["Not in reach"]
-    if found.reasons:
-        lines.append(f"Else: {', '.join(found.reasons)}")
+    if found.lost:
+        lines.append(f"Else: {', '.join(found.words())}")
     return lines
 
 

@@ -54,7 +54,7 @@ def values_of(
         "reach_s": None if always_reached else round(found.total_s, 3),
         "max_reach_elevation_deg": None if found.best_el_deg is None else round(found.best_el_deg, 4),
         "refraction": "none",
-        "not_reached_because": list(found.reasons),
+        "not_reached_because": list(found.words()),
         "already_up": passing.already_up,
         "still_up": passing.still_up,
         "sunlit_share": round(row.sunlit_share, 3),

@@ -23,5 +23,5 @@ def day_ahead(
     except BirdcageError:
         return None
     reach = TargetTrack.of(sky, mount).reached()
-    limits = tuple(where_words(reason, mount.limits) for reason in reach.reasons)
+    limits = tuple(where_words(cause, mount.limits) for cause in reach.lost_s)
     return Day(sky, reach, limits, float(lift_deg(0.0, refraction)))

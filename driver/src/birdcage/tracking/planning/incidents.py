@@ -7,7 +7,7 @@ from datetime import datetime
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import Lost, PassReach
+from birdcage.sky.reach_model import LossReason, Lost, PassReach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Incident, Keyhole, PlanLeg, PlanPart
 from birdcage.tracking.planning.limit_words import where_words
@@ -31,14 +31,16 @@ def incidents(
             found.append(Incident(leg.start_s, "reach", "in reach"))
     for index, leg in enumerate(legs):
         after = legs[index + 1] if index + 1 < len(legs) else None
-        reason = _reason_after(leg.end_s, reach)
+        lost = _lost_after(leg.end_s, reach)
         goes_on = after is not None and after.start_s <= leg.end_s + 1e-3
         turns_back = after is not None and after.part is PlanPart.REWIND
         # A rewind that begins where the target goes out of reach anyway waits for that.
-        if leg.part is PlanPart.FOLLOW and (reason not in ("", "cable") if turns_back else not goes_on):
-            if not reason and passing is None and leg.end_s >= sky.end_s - 1.0:
+        if leg.part is PlanPart.FOLLOW and (
+            lost is not None and lost.reason is not LossReason.CABLE if turns_back else not goes_on
+        ):
+            if lost is None and passing is None and leg.end_s >= sky.end_s - 1.0:
                 continue  # only the plan ends there
-            found.append(Incident(leg.end_s, "unreach", where_words(reason, limits) if reason else "ends"))
+            found.append(Incident(leg.end_s, "unreach", "ends" if lost is None else where_words(lost.cause, limits)))
     return tuple(sorted(found, key=lambda one: one.at_s))
 
 
@@ -56,17 +58,17 @@ def _of_pass(passing: Pass | None, sky: Curve) -> Iterator[Incident]:
             yield Incident(at_s, what, text)
 
 
-def _reason_after(at_s: float, reach: PassReach) -> str:
-    """Return which limit ends a leg; nothing if none does."""
+def _lost_after(at_s: float, reach: PassReach) -> Lost | None:
+    """Return the loss whose limit ends a leg; None if none does."""
     for lost in _limiting(reach):
         if _s(lost.start) - _EDGE_S < at_s < _s(lost.end):
-            return lost.reason
-    return ""
+            return lost
+    return None
 
 
 def _limiting(reach: PassReach) -> Iterator[Lost]:
     """Yield what the dish cannot follow; behind the horizon mask it can."""
-    return (lost for lost in reach.lost if lost.reason != "horizon")
+    return (lost for lost in reach.lost if lost.reason is not LossReason.HORIZON)
 
 
 def _s(when: datetime) -> float:
@@ -75,13 +77,10 @@ def _s(when: datetime) -> float:
 
 def loss_notes(reach: PassReach, limits: ReachLimits) -> Iterator[str]:
     """Yield a sentence for every limit that takes a part of the pass."""
-    seconds: dict[str, float] = {}
-    for lost in reach.lost:
-        seconds[lost.reason] = seconds.get(lost.reason, 0.0) + (lost.end - lost.start).total_seconds()
-    for reason, lost_s in seconds.items():
+    for cause, lost_s in reach.lost_s.items():
         if lost_s >= _SHORT_LOSS_S:
-            where = where_words(reason, limits)
-            heard = ": the dish follows, nothing is heard" if reason == "horizon" else ""
+            where = where_words(cause, limits)
+            heard = ": the dish follows, nothing is heard" if cause.reason is LossReason.HORIZON else ""
             yield f"{where[:1].upper()}{where[1:]} for {_length(lost_s)}{heard}."
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from birdcage.sky.reach_model import LossReason
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.planning.cable_turns import Run, runs
 from birdcage.tracking.planning.routes import Route, route
@@ -38,8 +39,8 @@ class Itinerary:
     """What is to be done, as far as that is a matter of times and turns."""
 
     stretches: tuple[TrackSegment, ...]
-    cuts: tuple[tuple[float, float, str], ...]
-    """What the limits would allow, but is lost to the `cable` being turned back, or to the way round a `no-go` sector.
+    cuts: tuple[tuple[float, float, LossReason], ...]
+    """What the limits would allow, but is lost to the cable being turned back, or to the way round a no-go sector.
     """
 
 
@@ -72,11 +73,11 @@ def itinerary(track: TargetTrack, now_s: float, later: Sequence[Curve] = ()) -> 
             track, begin, ready_s, piece, either_way=rewinds and not track.bounds.turn_known, surely=bool(found)
         )
         if arrived is None:
-            cuts.append((piece.start_s, piece.end_s, "no-go"))
+            cuts.append((piece.start_s, piece.end_s, LossReason.NO_GO))
             continue
         taken, start_s = arrived
         if found and start_s > piece.start_s:
-            cuts.append((piece.start_s, start_s, "cable" if rewinds else "no-go"))
+            cuts.append((piece.start_s, start_s, LossReason.CABLE if rewinds else LossReason.NO_GO))
         if piece.end_s - start_s <= _SHORTEST_S:
             continue
         found.append(TrackSegment(start_s, piece.end_s, piece.turn, taken if found else None, rewinds))
@@ -115,7 +116,9 @@ def _fitting(track: TargetTrack, start: float, end: float, turn: int) -> list[Tr
     ]
 
 
-def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[TrackSegment]) -> list[tuple[float, float, str]]:
+def _without(
+    spans: Sequence[tuple[float, float]], pieces: Sequence[TrackSegment]
+) -> list[tuple[float, float, LossReason]]:
     """Return what of the spans is in no piece: the cable does not let the dish follow there."""
     left = list(spans)
     for piece in pieces:
@@ -123,7 +126,7 @@ def _without(spans: Sequence[tuple[float, float]], pieces: Sequence[TrackSegment
         for start, end in left:
             cut += [(start, min(end, piece.start_s)), (max(start, piece.end_s), end)]
         left = [(start, end) for start, end in cut if end > start]
-    return [(start, end, "cable") for start, end in left]
+    return [(start, end, LossReason.CABLE) for start, end in left]
 
 
 def _free(track: TargetTrack, before: TrackSegment, after: TrackSegment) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from datetime import UTC, datetime
 
-from birdcage.sky.reach_model import Lost, PassReach, Stretch
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 from birdcage.tracking.planning.itinerary import Itinerary
 from birdcage.tracking.planning.target_track import TargetTrack
 
@@ -20,37 +20,34 @@ def reached(track: TargetTrack, planned: Itinerary) -> PassReach:
     kept: list[Stretch] = []
     lost = list(whole.lost)
     for one in whole.intervals:
-        for start, end, reason in _divided(one.start.timestamp(), one.end.timestamp(), planned.cuts):
+        for start, end, reason in _divided(one.start_s, one.end_s, planned.cuts):
             if reason:
                 lost.append(Lost(_utc(start), _utc(end), reason))
             else:
                 kept.append(Stretch(_utc(start), _utc(end), _turn(planned, (start + end) / 2.0)))
     best = whole.best_el_deg if kept else None
-    if best is not None and any(reason for _, _, reason in planned.cuts):
+    if best is not None and planned.cuts:
         sky = track.sky
-        tops = [
-            sky.el_deg[(sky.t_s >= one.start.timestamp() - 0.5) & (sky.t_s <= one.end.timestamp() + 0.5)].max()
-            for one in kept
-        ]
+        tops = [sky.el_deg[(sky.t_s >= one.start_s - 0.5) & (sky.t_s <= one.end_s + 0.5)].max() for one in kept]
         best = min(best, float(max(tops)))
     return PassReach(tuple(kept), tuple(sorted(lost, key=lambda each: each.start)), best)
 
 
 def _divided(
-    start: float, end: float, cuts: tuple[tuple[float, float, str], ...]
-) -> Iterator[tuple[float, float, str]]:
-    """Yield the parts of an interval, each with why it is lost, or with nothing."""
+    start: float, end: float, cuts: tuple[tuple[float, float, LossReason], ...]
+) -> Iterator[tuple[float, float, LossReason | None]]:
+    """Yield the parts of an interval, each with why it is lost, or None."""
     at = start
     for cut_start, cut_end, reason in cuts:
         left, right = max(cut_start, at), min(cut_end, end)
         if right - left <= _SHORTEST_S:
             continue
         if left - at > _SHORTEST_S:
-            yield at, left, ""
+            yield at, left, None
         yield left, right, reason
         at = right
     if end - at > _SHORTEST_S:
-        yield at, end, ""
+        yield at, end, None
 
 
 def _turn(planned: Itinerary, t_s: float) -> int | None:

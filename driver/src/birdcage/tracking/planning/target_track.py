@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from birdcage.base.geometry import shortest_turn
 from birdcage.sky.reach import reach
 from birdcage.sky.reach_limits import NoGo, ReachLimits
-from birdcage.sky.reach_model import PassReach
+from birdcage.sky.reach_model import LossReason, PassReach
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.planning.bounds import SECTOR_MARGIN_DEG, Bounds
@@ -99,8 +99,10 @@ class TargetTrack:
         wider = replace(_uncabled(limits), horizon=None, no_go=tuple(_wider(sector) for sector in limits.no_go))
         found = reach(_Track(sky.t_s, sky.az_deg, el), wider)
         kept = [(one.start, one.end) for one in found.intervals]
-        kept += [(lost.start, lost.end) for lost in found.lost if lost.reason == "keyhole"]
-        cable = [(lost.start.timestamp(), lost.end.timestamp()) for lost in found.lost if lost.reason == "cable"]
+        kept += [(lost.start, lost.end) for lost in found.lost if lost.reason is LossReason.KEYHOLE]
+        cable = [
+            (lost.start.timestamp(), lost.end.timestamp()) for lost in found.lost if lost.reason is LossReason.CABLE
+        ]
         return self._clear(_joined(sorted(kept))), cable
 
     def hidden(self, t_s: Floats) -> NDArray[np.bool_]:
