@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Unpack
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.station.events import Followed, PursuitChanged
 from birdcage.station.pointing_samples import EVERY_S, Errors, sample_of
-from birdcage.station.pursuit_state import Phase, Pursuit
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitChanges
 from birdcage.station.state_store import StateStore
 
 if TYPE_CHECKING:
@@ -41,11 +41,11 @@ class PursuitReporter:
         since = self._store.clock.monotonic()
         self.change(phase=phase, why=why, next_what=next_what, next_at=next_at, since=since)
 
-    def change(self, **fields: object) -> None:
+    def change(self, **changes: Unpack[PursuitChanges]) -> None:
         """Replace fields of it, and tell everybody."""
         pursuit = self._store.state.pursuit
         assert pursuit is not None, "something is said of one"
-        pursuit = replace(pursuit, **fields)  # type: ignore[arg-type]
+        pursuit = replace(pursuit, **changes)
         self._store.change(pursuit=pursuit)
         self._store.tell(PursuitChanged(*self._store.stamp(), pursuit))
 

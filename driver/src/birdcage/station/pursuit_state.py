@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, TypedDict
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
@@ -106,3 +106,15 @@ class Pursuit:
     rms_error_deg: float | None = None
     """So far, in this pursuit."""
     max_error_deg: float | None = None
+
+
+class PursuitChanges(TypedDict, total=False):
+    """What of a `Pursuit` is replaced while it lives."""
+
+    plan: Plan
+    phase: Phase
+    since: float
+    why: str
+    next_what: str
+    next_at: datetime | None
+    controller: str

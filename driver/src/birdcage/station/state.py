@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from enum import Enum, StrEnum
 from types import MappingProxyType
+from typing import TypedDict
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.gate import UNTOLD
@@ -327,3 +328,55 @@ class StationState:
     def awaits_first_move(self) -> bool:
         """Whether this dish does not tell where it points, and was not sent anywhere yet: a full direction may be."""
         return self.position_lost is UNTOLD
+
+
+class StateChanges(TypedDict, total=False):
+    """What of a `StationState` is replaced: any of its fields."""
+
+    link: LinkState
+    port: str
+    demo: bool
+    dish: Facts | None
+    firmware_version: str | None
+    position: Pointing | None
+    position_lost: Reason | None
+    position_text: str
+    target_az_deg: float | None
+    target_el_deg: float | None
+    target_miss_deg: float
+    target_skew_deg: float | None
+    motion: Motion | None
+    activity: Activity
+    activity_since: float
+    activity_text: str
+    raw_motion: bool
+    holder: str | None
+    held: HeldState | None
+    held_trouble: str
+    fault: Fault | None
+    last_stop: StopReport | None
+    unplanned_stop: StopMeans
+    homed: bool | None
+    search: TvSearch
+    turn: CableTurn
+    menu: str | None
+    az_offset_deg: float
+    el_offset_deg: float
+    alignment: Alignment
+    feed_name: str
+    own: OwnFacts
+    beam: Beam | None
+    stow_allowed: bool
+    el_min_deg: float | None
+    el_max_deg: float | None
+    cable_min_deg: float | None
+    cable_max_deg: float | None
+    no_go_sectors: tuple[NoGoSector, ...]
+    limit_sources: Mapping[str, LimitSource]
+    motion_refused_because: str | None
+    surveyed: bool
+    pursuit: Pursuit | None
+    speeds_lent: Mapping[int, float]
+    signal_owners: Mapping[str, str]
+    warnings: Mapping[str, str]
+    readings: Mapping[str, Reading]

@@ -7,11 +7,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from types import MappingProxyType
+from typing import Unpack
 
 from birdcage.base.clock import Clock
 from birdcage.rotator.feature import Reading, Value
 from birdcage.station.events import Event, ReadingRead
-from birdcage.station.state import StationState
+from birdcage.station.state import StateChanges, StationState
 
 Listener = Callable[[Event], None]
 
@@ -29,10 +30,10 @@ class StateStore:
         """Return the monotonic and UTC time of an event that happens now."""
         return self.clock.monotonic(), self.clock.utc()
 
-    def change(self, **fields: object) -> None:
+    def change(self, **changes: Unpack[StateChanges]) -> None:
         """Replace fields of the state. Any thread."""
         with self._lock:
-            self.state = replace(self.state, **fields)  # type: ignore[arg-type]
+            self.state = replace(self.state, **changes)
 
     def warn(self, subject: str, sentence: str) -> None:
         """Set or drop one of the warnings. Any thread."""
