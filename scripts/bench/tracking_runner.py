@@ -189,7 +189,7 @@ class Bench:
             if tally.is_sure:
                 fact = OwnFact(tally.mean_deg, Origin.LEARNT, self.clock.utc(), tally.count)
                 own = own.with_fact(overshoot_name(axis, up=up), fact)
-        self.antenna.motion = None
+        self.antenna.moving.end()
         self.model = self.antenna.model = own.on(self.model)
 
     def wait(self, until_s: float) -> None:

@@ -16,6 +16,7 @@ from birdcage.antenna.gate import UNTOLD, MotionGate
 from birdcage.antenna.latch import Latch
 from birdcage.antenna.maintenance import Maintenance
 from birdcage.antenna.motion import DishMotion
+from birdcage.antenna.motion_state import MotionState
 from birdcage.antenna.odometer import Odometer
 from birdcage.antenna.reading import Readings
 from birdcage.antenna.reading_filter import Expected, ReadingFilter
@@ -26,7 +27,7 @@ from birdcage.antenna.skew import SkewGoal
 from birdcage.antenna.stop_aim import StopAim
 from birdcage.antenna.strategy.choice import strategy_for, suited
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import CommandRefused, Held, MotionRefused, PositionUnknown, Stopped, WrongThread
+from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown, WrongThread
 from birdcage.base.reason import Reason
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.link.link import Link
@@ -61,12 +62,8 @@ class BirdcageAntenna:
         self.alignment = alignment or Alignment()
         self._owner: threading.Thread | None = None
         self._last_position: Position | None = None
-        self.motion: DishMotion | None = None
-        """The motion under way as modelled; None at rest."""
-        self.taken = 0
-        """How many motions the dish has taken, at least in one axis."""
-        self.is_kept = False
-        """Whether nothing of the motion as modelled was let out yet: a STOP that is latched now keeps all of it."""
+        self.moving = MotionState()
+        """The motion under way."""
         self._latch: Latch | None = None
         """HELD, where no station sees to it."""
         self.odometer = Odometer()
@@ -75,8 +72,6 @@ class BirdcageAntenna:
         self.stop_consent = False
         """Whether the user lets STOP climb the rungs that need consent."""
         self._sender = MoveSender(self)
-        self.modelling = threading.RLock()
-        """Held while `motion` is replaced: STOP, from another thread, aims by it."""
         self.stop_aim = StopAim(self)
         self.gate = MotionGate(rotator.facts)
         self.rotator = AzEl(rotator, self.gate)
@@ -116,6 +111,11 @@ class BirdcageAntenna:
     @property
     def _clock(self) -> Clock:
         return self.rotator.clock
+
+    @property
+    def motion(self) -> DishMotion | None:
+        """The motion under way as modelled; None at rest."""
+        return self.moving.model
 
     def align(self, alignment: Alignment) -> None:
         """Use another alignment from now on. Only while nothing moves."""
@@ -243,11 +243,11 @@ class BirdcageAntenna:
             self.commands.forget_aims()
         dish = self._readings.take(once, self._clock)
         self.skew.see(dish)
-        with self.modelling:
-            now = self._clock.monotonic()
-            if self.motion is not None:
-                self.motion = self.motion.with_reading(dish, now, self._clock.rate)
-                self.commands.see(dish, self.motion, self._clock.rate)
+        with self.moving.lock:
+            now, rate = self._clock.monotonic(), self._clock.rate
+            motion = self.moving.correct(lambda motion: motion.with_reading(dish, now, rate))
+            if motion is not None:
+                self.commands.see(dish, motion, rate)
         self.rest.see(dish, now)
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
@@ -320,20 +320,9 @@ class BirdcageAntenna:
     @contextmanager
     def begun(self, planned: DishMotion) -> Iterator[None]:
         """Model a motion while its lines go out; what was modelled before comes back if the dish takes none of them."""
-        taken = self.taken
-        with self.modelling:
-            # Before the first byte: a STOP that comes after that byte must know what to stop.
-            before, self.motion, self.is_kept = self.motion, planned, True
-        try:
+        with self.moving.begin(planned) as before:
             yield
             self.odometer.take(before, planned)
-        except (Stopped, CommandRefused, MotionRefused, Held) as error:
-            with self.modelling:
-                if self.taken == taken and self.motion is planned and error.reason != Reason.CLOSING:
-                    self.motion = before  # nothing of it moves: the dish does what it did
-            raise
-        finally:
-            self.is_kept = False
 
     def first_motor(self) -> int:
         """Return which axis goes first this time: they alternate, so that none starves where they move in turn."""
@@ -347,9 +336,7 @@ class BirdcageAntenna:
 
     def begins_now(self, motor: int) -> None:
         """One axis begins its way only now: the dish has waited before it took the command."""
-        with self.modelling:
-            if self.motion is not None:
-                self.motion = self.motion.begun(motor, self._clock.monotonic())
+        self.moving.correct(lambda motion: motion.begun(motor, self._clock.monotonic()))
 
     def steer(self, motor: int, dish_deg: float) -> None:
         """Send one axis to its dish angle, as one of a stream; returns when the dish has taken it.
@@ -382,11 +369,11 @@ class BirdcageAntenna:
                     f"The {self.model.name} can't call back {what}: it ends in {left_s:.0f} s, at its target.",
                     reason=Reason.QUEUED,
                 )
-            self.motion = None
+            self.moving.end()
         if order is None:
             return
         self.rotator.stop_now(order)
         for refusal in self.rotator.settle(2.0):
             if refusal is not None:
                 raise refusal
-        self.motion = None
+        self.moving.end()

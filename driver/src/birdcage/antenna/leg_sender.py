@@ -70,7 +70,7 @@ class LegSender:
                 stands = self._start.azimuth if leg.motor == MOTOR_AZIMUTH else self._start.elevation
                 rests = {leg.motor: Without(stands, moving=False)}
                 antenna.commands.send({leg.motor: leg.target_deg}, (), known=True, without=rests)
-            antenna.taken += 1
+            antenna.moving.taken += 1
 
     def _turn_skew(self, motor: int, deg: float) -> None:
         antenna, clock = self._antenna, self._antenna.rotator.clock

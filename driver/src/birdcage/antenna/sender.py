@@ -60,13 +60,13 @@ class MoveSender:
         if under_way is not None:
             planned = planned.keeping(under_way, {motor for motor, _ in changes})
         with antenna.begun(planned):
-            taken, sent = antenna.taken, list[int]()
+            taken, sent = antenna.moving.taken, list[int]()
             in_turn = sorted(changes, key=lambda each: each[0] != first)
             calls = [dict(in_turn)] if antenna.model.sends_together and changes else [{m: deg} for m, deg in in_turn]
             for call in calls:
                 runs = running(under_way, antenna.motion or planned, sent)
                 antenna.commands.send(call, runs, known=from_rest, without=without)
-                antenna.taken, now = taken + 1, antenna.rotator.clock.monotonic()
+                antenna.moving.taken, now = taken + 1, antenna.rotator.clock.monotonic()
                 self.begun_by |= dict.fromkeys(call, now)
                 if not sent:
                     on_begun()
@@ -83,7 +83,7 @@ class MoveSender:
         ):  # fmt: skip
             antenna.rotator.begin_slew(dish_az, dish_el, None)
             antenna.reckon_move()
-            antenna.taken += 1
+            antenna.moving.taken += 1
             on_begun()
 
     def steer(self, motor: int, dish_deg: float) -> None:
@@ -112,4 +112,4 @@ class MoveSender:
                     antenna.commands.steer(motor, dish_deg)
             finally:
                 self.begun_by[motor] = clock.monotonic()
-            antenna.taken += 1
+            antenna.moving.taken += 1

@@ -25,7 +25,7 @@ class StopAim:
         alone; any other motion is modelled as stopped from then on, so that a second STOP aims where the first did.
         """
         antenna = self._antenna
-        with antenna.modelling:
+        with antenna.moving.lock:
             if antenna.motion is None:
                 return None
             if antenna.strategy.commands:
@@ -41,9 +41,9 @@ class StopAim:
     def model_stopped(self) -> None:
         """Model the motion under way as braking from now on, unless it is silent. Any thread."""
         antenna, clock = self._antenna, self._antenna.rotator.clock
-        with antenna.modelling:
-            if antenna.motion is not None and not antenna.motion.silent:
-                antenna.motion = antenna.motion.stopped(clock.monotonic(), clock.rate)
+        antenna.moving.correct(
+            lambda motion: motion if motion.silent else motion.stopped(clock.monotonic(), clock.rate)
+        )
 
     def order_seen(self, earlier: Position, earlier_at: float, later: Position, later_at: float) -> StopOrder:
         """Return what stops an unasked motion, from two readings of the dish's own angles."""

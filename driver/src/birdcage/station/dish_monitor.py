@@ -172,7 +172,7 @@ class DishMonitor:
             if activity is Activity.IDLE and self._has_crept(doubted or before, after):
                 self._moves_unasked()
                 return
-            self._antenna.motion = None
+            self._antenna.moving.end()
             self._unsettled = False
             self._mover.activity(Activity.IDLE, "")
             return
@@ -244,7 +244,7 @@ class DishMonitor:
 
     def _forgotten(self) -> None:
         """Homing was lost without boot text: as after a dip of the supply."""
-        self._antenna.motion = None
+        self._antenna.moving.forget()
         self._reader.forget_survey()
         self.interrupted(HeldReason.FAULT)
         self.raise_fault(
@@ -305,7 +305,7 @@ class DishMonitor:
             self._stopper.call("birdcage", HeldReason.FAULT)  # the other axis is still on its way
             self._stopper.take_calls()
         else:
-            self._antenna.motion = None  # STOP must not send it to its target once more
+            self._antenna.moving.end()  # STOP must not send it to its target once more
             self._mover.activity(Activity.UNKNOWN, "")
             self._unsettled = True  # the other axis may still be on its way, as it was asked to
             self.look_again()
@@ -334,7 +334,7 @@ class DishMonitor:
         """Drop what is known of the position."""
         # A dish that starts finds its references, or says that it has none.
         self._antenna.gate.released.clear()
-        self._antenna.motion = None
+        self._antenna.moving.forget()
         self._reader.forget_survey()
         self._reader.forget(reason)
         self._store.change(homed=None)

@@ -125,8 +125,8 @@ class LineUnderWay:
 
     def homing_ends(self) -> None:
         """Whatever keeps the shell busy with homing is over: STOP gets through again."""
-        if self._stopper.homing:
-            self._stopper.homing = False
+        if self._antenna.moving.busy is not None:
+            self._antenna.moving.keep_busy(None)
             self._stopper.resume()
 
     # How it is done: nothing below is called from outside.
@@ -158,8 +158,8 @@ class LineUnderWay:
         self._line, self.answered_at = None, self._store.clock.monotonic()
         self._reader.elsewhere = answer.place != line.raw.home
         self.homing_ends()
-        if answer.refused and line.model is not None and self._antenna.motion is line.model:
-            self._antenna.motion = line.model_before
+        if answer.refused and line.model is not None:
+            self._antenna.moving.take_back(line.model, line.model_before)
         if not answer.refused:
             self._effects.taken(line.verdict)
         self._effects.hear(answer.boot_lines, line.verdict)

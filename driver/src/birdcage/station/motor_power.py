@@ -8,6 +8,7 @@ from concurrent.futures import Future
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
 from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import MoveKind
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.control import Control
 from birdcage.station.dish_reader import DishReader
@@ -48,7 +49,7 @@ class MotorPower:
 
         self._antenna.maintenance.release_motors(permit=permit)
         self._mover.fail(End.STOPPED, "motors released", Stopped("The motors were released."))
-        self._antenna.motion = None
+        self._antenna.moving.end()
         self._reader.unknown(PositionUnknown("The motors were released.", reason=Reason.RELEASED))
         self._mover.activity(Activity.IDLE, "")
         self._stopper.motors_were_released()
@@ -85,7 +86,7 @@ class MotorPower:
             )
         self._mover.activity(Activity.STOWING, "")
         self._store.change(position_lost=Reason.STOWING)
-        self._stopper.homing = True
+        self._antenna.moving.keep_busy(MoveKind.STOW)
         try:
             self._antenna.maintenance.stow()
         except BaseException:
@@ -93,7 +94,7 @@ class MotorPower:
                 self._mover.activity(Activity.UNKNOWN, "")
             raise
         finally:
-            self._stopper.homing = False
+            self._antenna.moving.keep_busy(None)
             self._stopper.resume()
         if self._control.latched:
             raise Stopped("STOP came while the dish stowed.")

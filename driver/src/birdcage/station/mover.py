@@ -184,7 +184,7 @@ class Mover(ABC):
         sentence = (
             f"The dish answered {said!r} and did not move." if said else "The dish answered nothing and did not move."
         )
-        antenna.motion = None
+        antenna.moving.end()
         self.fail(End.NOT_TAKEN, End.NOT_TAKEN.value, NotTaken(sentence))
         self.activity(Activity.IDLE, "")
         return True
@@ -259,11 +259,12 @@ class Mover(ABC):
     def stuck(self, sentence: str) -> None:
         """The dish does not get to its target: end the motion and raise the fault."""
         self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.STALL))
-        self._antenna.motion = None  # STOP must not send it to its target once more
+        self._antenna.moving.end()  # STOP must not send it to its target once more
         self.on_stall(sentence)
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
-        self._job, self.due, self._antenna.motion = None, None, None
+        self._job, self.due = None, None
+        self._antenna.moving.end()
         self._store.change(motion=None)
         self.activity(Activity.IDLE, "")
         try:

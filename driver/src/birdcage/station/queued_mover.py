@@ -140,7 +140,7 @@ class QueuedMover(Mover):
         if self._job is not job:
             return
         self.fail(End.REFUSED, str(refused), refused)
-        self._antenna.motion = None
+        self._antenna.moving.end()
         self.activity(Activity.IDLE, "")
         self._reader.position()  # what was shown of a slew that never began is where it should have been
 
@@ -190,11 +190,11 @@ class QueuedMover(Mover):
     def _astray(self) -> None:
         sentence = "The dish still moves after the end of its motion."
         self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.MOVED))
-        self._antenna.motion = None
+        self._antenna.moving.end()
         self.on_astray()
 
     def _leg_over(self, job: Job) -> None:
-        self._antenna.motion = None
+        self._antenna.moving.end()
         self._antenna.reckoning.end(self._store.clock.monotonic())
         self._go_on(job)
 

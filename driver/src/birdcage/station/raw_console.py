@@ -13,6 +13,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.raw_limits import limited
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
 from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import MoveKind
 from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station import requests as ask
@@ -212,11 +213,10 @@ class RawConsole:
     def _type(self, request: ask.Raw, verdict: Verdict, menu: str | None, future: Future[object]) -> None:
         raw, motors = self._raw, menu == self._raw.home
         model = self._effects.modelled(verdict) if motors else None
-        before = self._antenna.motion
-        if verdict.grade >= Grade.MOVES:
-            # Before the first byte: a STOP that comes after that byte must know what to stop.
-            self._antenna.motion = model
-        self._stopper.homing = bool(verdict.homes)
+        moving = self._antenna.moving
+        # Before the first byte: a STOP that comes after that byte must know what to stop.
+        before = moving.assume(model) if verdict.grade >= Grade.MOVES else moving.model
+        moving.keep_busy(MoveKind.HOME if verdict.homes else None)
         # An undocumented line may lead to another menu.
         self._reader.elsewhere = not motors or verdict.takes_s > 0 or verdict.streams or not verdict.listed
         try:
@@ -225,8 +225,7 @@ class RawConsole:
                 permit=lambda: self._permit(verdict),
             )  # fmt: skip
         except BaseException as error:
-            if self._antenna.motion is model:
-                self._antenna.motion = before
+            moving.take_back(model, before)
             self.line.homing_ends()
             self._effects.say(f"not sent: {error}")
             raise

@@ -8,6 +8,7 @@ from concurrent.futures import Future
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
 from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import MoveKind
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
 from birdcage.station.control import Control
@@ -228,9 +229,9 @@ class RequestHandler:
         self._ready(request.holder)
         self._pursuits.by_hand(request.holder)
         self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
-        self._antenna.motion = None
+        self._antenna.moving.forget()
         self._store.change(homed=None, position=None, position_lost=Reason.HOMING)
-        self._stopper.homing = True
+        self._antenna.moving.keep_busy(MoveKind.HOME)
         try:
             for motor in request.axes or axes:
                 if self._control.latched:
@@ -238,7 +239,7 @@ class RequestHandler:
                 self._mover.activity(Activity.HOMING, rotator.facts.axis(motor).name)
                 self._antenna.maintenance.home(motor)
         finally:
-            self._stopper.homing = False
+            self._antenna.moving.keep_busy(None)
             self._mover.activity(Activity.UNKNOWN, "")
             self._stopper.resume()
         if self._reader.position() is not None and not request.axes:

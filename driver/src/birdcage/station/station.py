@@ -384,7 +384,7 @@ class Station:
     def _permit(self) -> None:
         """Keep a line that moves the dish from going out once STOP is latched."""
         # In this order: a STOP that latches from now on finds the line let out, though it may just have been kept.
-        self._antenna.is_kept = False
+        self._antenna.moving.is_kept = False
         if self._control.latched:
             raise Stopped("STOP is latched: the motion was not sent.")
 

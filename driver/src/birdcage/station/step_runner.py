@@ -229,7 +229,8 @@ class StepRunner:
             return None
         self._seen = here
         if before is not None and self._reader.is_still(before, here):
-            self._unsure_until = self._antenna.motion = None
+            self._unsure_until = None
+            self._antenna.moving.end()
             self._az_deg = answer.az_deg
             return answer
         if before is not None and now > since + ASTRAY_S:

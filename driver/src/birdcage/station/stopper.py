@@ -6,7 +6,6 @@
 from __future__ import annotations
 
 import math
-import threading
 from collections import deque
 from dataclasses import replace
 
@@ -52,11 +51,9 @@ class Stopper:
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
         # Reentrant: a signal handler may call STOP on top of the STOP that it interrupted.
-        self._lock = threading.RLock()
+        self._lock = antenna.moving.lock
         self._pending: PendingStop | None = None
         self._last_call = -math.inf
-        self.homing = False
-        """Set while homing (or a stow) keeps the shell busy, and nothing that is sent gets through."""
         self.due: float | None = None
         self.reach = StopReach.NOT
 
@@ -97,8 +94,7 @@ class Stopper:
         state = self._store.state
         if not self._antenna.rotator.is_open:
             return StopAction(StopMeans.NO_LINK, "No link to the dish: nothing could be sent. Cut its power.")
-        if self.homing:
-            kind = MoveKind.STOW if state.activity is Activity.STOWING else MoveKind.HOME
+        if (kind := self._antenna.moving.busy) is not None:
             none = f"{BUSY_WITH[kind]} cannot be stopped from here: cut the power of the dish."
             return self._strategy.while_busy(kind) or StopAction(StopMeans.NONE, none)
         if state.activity is Activity.STOWING:
@@ -126,11 +122,9 @@ class Stopper:
                 raise Held("STOP came after this release: the dish stays HELD.")
             self._last_call = -math.inf  # the next STOP is a new one, however soon it comes
             self._control.release()
-        pending, motion = self._pending, self._antenna.motion
-        if pending is not None:
+        if (pending := self._pending) is not None:
             # What moves from now on is not STOP's to judge, and not to be retargeted by it.
-            self._finish(pending, None, "Released before the dish was seen at rest.")
-            self._antenna.motion = motion
+            self._finish(pending, None, "Released before the dish was seen at rest.", rests=False)
             self._mover.activity(Activity.UNKNOWN, "")
 
     def take_calls(self) -> None:
@@ -151,7 +145,7 @@ class Stopper:
             slowest = self._may_crawl(report.means)
             self._mover.activity(Activity.STOPPING, "")
             if report.means is StopMeans.LOOK and order is None:
-                self._antenna.motion = None  # by the time that it can be aimed for, it is long outdated
+                self._antenna.moving.forget()  # by the time that it can be aimed for, it is long outdated
             now = self._store.clock.monotonic()
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = PendingStop(
@@ -171,7 +165,7 @@ class Stopper:
     def tick(self) -> None:
         """Wait for the answer, repeat without one, then watch the dish come to rest."""
         pending = self._pending
-        if pending is None or self.homing:
+        if pending is None or self._antenna.moving.busy is not None:
             self.due = None
             return
         try:
@@ -179,11 +173,8 @@ class Stopper:
         except BirdcageError as error:
             if self._pending is pending and not isinstance(error, Stopped):
                 # Whoever reconnects comes first from here on; the latch holds whatever the dish does.
-                motion = self._antenna.motion
-                self._finish(
-                    pending, False, "The link failed before the dish was seen at rest: if it moves, cut its power."
-                )
-                self._antenna.motion = motion
+                failed = "The link failed before the dish was seen at rest: if it moves, cut its power."
+                self._finish(pending, False, failed, rests=False)
             raise
 
     def _follow_up(self, pending: PendingStop) -> None:
@@ -330,7 +321,7 @@ class Stopper:
         now = self._store.clock.monotonic()
         if pending.report.means.is_undecided:
             action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
-            self._antenna.motion = None  # it goes otherwise than it was modelled
+            self._antenna.moving.forget()  # it goes otherwise than it was modelled
             if action.order is None:
                 self._look_on(pending, action)
                 pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
@@ -348,7 +339,7 @@ class Stopper:
         rung = self._strategy.next_rung(pending.report.means)
         if rung is not None and rung.means is not StopMeans.RELEASE:
             action = self._strategy.on_sight(earlier.dish, earlier.at, pointing.dish, pointing.at)
-            self._antenna.motion = None  # it goes otherwise than it was modelled
+            self._antenna.moving.forget()  # it goes otherwise than it was modelled
             if action.order is not None:
                 self._send(pending, action, now)
                 return
@@ -382,11 +373,14 @@ class Stopper:
         if self._pending is not None:
             self._finish(self._pending, None, RELEASED)
 
-    def _finish(self, pending: PendingStop, confirmed: bool | None, sentence: str) -> None:
+    def _finish(self, pending: PendingStop, confirmed: bool | None, sentence: str, *, rests: bool = True) -> None:
+        """Look no more; `rests`: what was modelled is over."""
         earlier = pending.report.confirmed
         if self.reach.is_open:
             self.reach = StopReach.AT_REST if confirmed or sentence == RELEASED else StopReach.NOT
-        self._pending, self.due, self._antenna.motion = None, None, None
+        self._pending, self.due = None, None
+        if rests:
+            self._antenna.moving.end()
         self._store.change(motion=None)
         moves = self._antenna.reckoning.moves_until > self._store.clock.monotonic()
         self._mover.activity(Activity.UNKNOWN if moves else Activity.IDLE, "")

@@ -52,7 +52,7 @@ class Queue(MotionStrategy):
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
         """Send a byte wherever it may do good: it moves nothing."""
         motion = self._antenna.motion
-        if motion is not None and self._antenna.is_kept:
+        if motion is not None and self._antenna.moving.is_kept:
             return DROPPED
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
             return self.commanded()
@@ -158,7 +158,7 @@ class Block(Queue):
     def at_once(self, unplanned: Unplanned, clock: Clock) -> StopAction:
         """Send no new target: it would move the dish once it stands."""
         motion = self._antenna.motion
-        if self.commands or (motion is not None and (motion.silent or self._antenna.is_kept)):
+        if self.commands or (motion is not None and (motion.silent or self._antenna.moving.is_kept)):
             return super().at_once(unplanned, clock)
         if motion is None:
             return NOTHING_MOVED if unplanned is Unplanned.NONE else LOOK

@@ -46,7 +46,7 @@ class Timed(Queue):
         """Send what its ladder has; a byte moves nothing even where it is not proven to help."""
         antenna = self._antenna
         motion, now = antenna.motion, clock.monotonic()
-        if motion is not None and antenna.is_kept:
+        if motion is not None and antenna.moving.is_kept:
             return StopAction(StopMeans.NOTHING_MOVED, "The move was not sent yet, and is dropped.")
         until = antenna.reckoning.moves_until if motion is None else antenna.reckoning.over_by(motion, clock.rate)
         means, (said, order) = self.unplanned, self._sent()
@@ -97,5 +97,5 @@ class Timed(Queue):
         antenna = self._antenna
         if antenna.motion is not None:
             antenna.reckoning.abandon(antenna.motion, clock.monotonic(), clock.rate)
-            antenna.motion = None
+            antenna.moving.forget()
             antenna.gate.forget(UNTOLD)

@@ -1,0 +1,92 @@
+"""The motion under way: one value, behind the lock that STOP's own thread takes."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from birdcage.antenna.motion import DishMotion
+from birdcage.base.errors import CommandRefused, Held, MotionRefused, Stopped
+from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import MoveKind
+
+
+class MotionState:
+    """What a machine does, as far as this program knows it. Written by the thread that owns the antenna.
+
+    A motion is begun, becomes better known, and is ended or forgotten. `lock` is held for each of these steps, and by
+    STOP from its decision to its bytes: what it aims by does not change meanwhile. Nothing that holds the link's write
+    lock may take it: STOP takes both, this one first.
+    """
+
+    def __init__(self) -> None:
+        self.lock = threading.RLock()
+        self._model: DishMotion | None = None
+        self._busy: MoveKind | None = None
+        self.taken = 0
+        """How many motions the machine has taken, at least in one axis."""
+        self.is_kept = False
+        """Whether nothing of the motion was let out yet: a STOP that is latched now keeps all of it."""
+
+    @property
+    def model(self) -> DishMotion | None:
+        """The motion as modelled; None at rest, and where nothing is known of it."""
+        return self._model
+
+    @property
+    def busy(self) -> MoveKind | None:
+        """What the machine is so busy with that nothing sent gets through to it; None normally."""
+        return self._busy
+
+    @contextmanager
+    def begin(self, planned: DishMotion) -> Iterator[DishMotion | None]:
+        """Model a motion while its lines go out, and yield the one before.
+
+        What was modelled before comes back if the machine takes none of them.
+        """
+        taken = self.taken
+        # Before the first byte: a STOP that comes after that byte must know what to stop.
+        with self.lock:
+            before = self.assume(planned)
+            self.is_kept = True
+        try:
+            yield before
+        except (Stopped, CommandRefused, MotionRefused, Held) as error:
+            if self.taken == taken and error.reason is not Reason.CLOSING:
+                self.take_back(planned, before)
+            raise
+        finally:
+            self.is_kept = False
+
+    def assume(self, model: DishMotion | None) -> DishMotion | None:
+        """Take something for the motion under way; return what was until now."""
+        with self.lock:
+            before, self._model = self._model, model
+            return before
+
+    def take_back(self, model: DishMotion | None, before: DishMotion | None) -> None:
+        """What was assumed did not begin: the machine does what it did. Nothing if something else is known by now."""
+        with self.lock:
+            if self._model is model:
+                self._model = before
+
+    def correct(self, better: Callable[[DishMotion], DishMotion]) -> DishMotion | None:
+        """Know the same motion better, by a reading or from when it began; return it. None at rest."""
+        with self.lock:
+            if self._model is not None:
+                self._model = better(self._model)
+            return self._model
+
+    def end(self) -> None:
+        """The machine rests."""
+        self.assume(None)
+
+    def forget(self) -> None:
+        """It goes otherwise than modelled, or where it goes is no longer known: STOP has to look first."""
+        self.assume(None)
+
+    def keep_busy(self, kind: MoveKind | None) -> None:
+        """Note what the machine is busy with from now on; None: it listens again."""
+        with self.lock:
+            self._busy = kind
