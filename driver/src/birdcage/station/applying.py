@@ -10,12 +10,10 @@ from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError
 from birdcage.base.reason import Reason
-from birdcage.station.dish_reader import DishReader
-from birdcage.station.mover import Mover
+from birdcage.station.parts import Parts
 from birdcage.station.settings import Rules, rules_from
 from birdcage.station.state import MOVING
 from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
 
 
 def refuse_while_moving(store: StateStore, antenna: BirdcageAntenna, so: str) -> None:
@@ -37,12 +35,8 @@ def refusal_of(wrong_facts: tuple[str, ...]) -> str | None:
 class Applying:
     """The one place where rules come into force."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, mover: Mover, stopper: Stopper, reader: DishReader,
-        wrong_facts: tuple[str, ...],
-    ) -> None:  # fmt: skip
-        self._store, self._antenna = store, antenna
-        self._mover, self._stopper, self._reader = mover, stopper, reader
+    def __init__(self, parts: Parts, wrong_facts: tuple[str, ...]) -> None:
+        self._store, self._antenna, self._mover, self._reader = parts.store, parts.antenna, parts.mover, parts.reader
         self._wrong_facts = refusal_of(wrong_facts)
 
     def apply(self, settings: Settings) -> None:

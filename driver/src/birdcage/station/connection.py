@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -13,6 +12,7 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import LinkChanged
 from birdcage.station.settings import StationSettings
+from birdcage.station.signals import Signals
 from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.state_store import StateStore
 
@@ -30,17 +30,16 @@ class Connection:
     """The state of the link is in the state; `due` says when to try again."""
 
     def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings, reader: DishReader, hooks: Hooks,
+        self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings, reader: DishReader,
+        signals: Signals, hooks: Hooks,
     ) -> None:  # fmt: skip
         """`hooks` are what the machine is opened with."""
         self._store, self._antenna, self._settings, self._reader = store, antenna, settings, reader
-        self._hooks = hooks
+        self._signals, self._hooks = signals, hooks
         self._retry_s = FIRST_RETRY_S
         self._port, self._baud = settings.port, settings.baud
         self.due: float | None = None
         """When to try to open, or to wake the silent dish; None while all is well."""
-        self.on_port: Callable[[str], None] = lambda _port: None
-        """Told which port is about to be opened: its dish may be held."""
 
     @property
     def _rotator(self) -> AzEl:
@@ -111,7 +110,7 @@ class Connection:
         if port is None:
             self._retry_later(LinkPhase.LOST, f"{self._port} is not there. Plug it in; birdcage keeps looking.")
             return False
-        self.on_port(port)
+        self._signals.port_found(port)
         try:
             self._rotator.open(port, self._baud, self._store.clock, self._hooks)
         except LinkError as error:

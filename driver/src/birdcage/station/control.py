@@ -10,6 +10,7 @@ from birdcage.base.held import HeldNote, HeldReason
 from birdcage.base.reason import Reason
 from birdcage.station.events import HeldChanged, LeaseChanged
 from birdcage.station.held_keeper import HeldKeeper
+from birdcage.station.signals import Signals
 from birdcage.station.state import HeldState
 from birdcage.station.state_store import StateStore
 
@@ -17,10 +18,11 @@ from birdcage.station.state_store import StateStore
 class Control:
     """The lease and HELD. `latched` is set by STOP from any thread, before anything else happens."""
 
-    def __init__(self, store: StateStore, keeper: HeldKeeper | None = None) -> None:
+    def __init__(self, store: StateStore, signals: Signals, keeper: HeldKeeper | None = None) -> None:
         """`keeper` keeps HELD for the programs that come after; None if nothing lasts beyond this one."""
         self._store, self._keeper = store, keeper
         self.latched = False
+        signals.port_found.connect(self.meet)
         if keeper is not None:
             keeper.on_trouble = lambda sentence: store.change(held_trouble=sentence)
 

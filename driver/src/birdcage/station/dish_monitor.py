@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.reckoning import FRESH_S, apart_deg
 from birdcage.antenna.rest import APART_S, STILL_DEG
@@ -15,16 +13,11 @@ from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.station.control import Control
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End, FaultRaised, TranscriptLine
-from birdcage.station.mover import Mover
+from birdcage.station.parts import Parts
 from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
 from birdcage.station.state import Activity, Fault, FaultReason, LinkPhase, Pointing, TvSearch
-from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
-from birdcage.station.watches import Watches
 
 CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
@@ -37,14 +30,14 @@ LESS_THAN_A_FAILED_HOMING = (FaultReason.REBOOT, FaultReason.UNHOMED)
 class DishMonitor:
     """Idle work: polls, and the alarms for unasked motion, reboots, suspends and clock steps."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
-        reader: DishReader,
-        watches: Watches,
-    ) -> None:  # fmt: skip
-        self._stopper = stopper
-        self._store, self._antenna, self._control = store, antenna, control
-        self._mover, self._reader, self._watches = mover, reader, watches
+    def __init__(self, parts: Parts) -> None:
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._mover, self._reader, self._stopper, self._watches = (
+            parts.mover,
+            parts.reader,
+            parts.stopper,
+            parts.watches,
+        )
         self._offset_s = self._clock_offset_s()
         self._look_again_at: float | None = None
         self._unsettled = False
@@ -59,13 +52,11 @@ class DishMonitor:
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._rested: Pointing | None = None
         """Where the dish was first seen at rest since it last moved: it may also creep from one reading to the next."""
-        self.on_interrupted: Callable[[HeldReason], None] = lambda _reason: None
-        """Told before the latch closes."""
-        self.on_restart: Callable[[], None] = lambda: None
-        """Told when the dish was heard to start: nothing that was counted before holds."""
-        self._starting = Starting(store, antenna, mover)
-        mover.on_stall, mover.on_astray = self._stalled, self._moves_unasked
-        reader.on_forgotten = self._forgotten
+        self._starting = Starting(parts.store, parts.antenna, parts.mover)
+        parts.signals.stalled.connect(self._stalled)
+        parts.signals.astray.connect(self._moves_unasked)
+        parts.signals.forgotten.connect(self._forgotten)
+        parts.signals.speed_stuck.connect(self._speed_stuck)
 
     def due(self) -> float | None:
         """Return when there is something to look at; nothing else is asked for while the dish moves."""
@@ -235,7 +226,7 @@ class DishMonitor:
     def _raise_stall(self, fault: MotorFault) -> None:
         self.raise_fault(FaultReason.STALL, fault.what, fault.meaning, fault.remedy)
 
-    def slow(self, sentence: str) -> None:
+    def _speed_stuck(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
         self.raise_fault(
             FaultReason.SPEED, "The dish did not restore its speed", f"The dish moves slower than planned. {sentence}",
@@ -280,7 +271,7 @@ class DishMonitor:
         """Hear a line that tells that the dish has just started: it has forgotten everything."""
         self._store.tell(TranscriptLine(*self._store.stamp(), "<", line))
         self._starting.ended()
-        self.on_restart()
+        self._parts.signals.restarted()
         fault = self._store.state.fault
         if not self._met:
             self._mover.activity(Activity.INITIALIZING, line.strip())
@@ -351,7 +342,7 @@ class DishMonitor:
         state = self._store.state
         moving = self._mover.is_moving or state.activity is Activity.FOLLOWING
         holder = state.holder
-        self.on_interrupted(reason)
+        self._parts.signals.interrupted(reason)
         self._mover.fail(
             End.STOPPED,
             f"interrupted: {reason}",
@@ -374,7 +365,7 @@ class DishMonitor:
         if abs(step_s) <= CLOCK_STEP_S:
             return
         detail = f"{CLOCK_STEP} of {step_s:+.0f} s"
-        self.on_interrupted(HeldReason.CLOCK)
+        self._parts.signals.interrupted(HeldReason.CLOCK)
         self._reader.forget(Reason.CLOCK)
         self.look_again()
         self._mover.fail(End.STOPPED, "the clock stepped", Stopped("The clock stepped: the motion was cancelled."))

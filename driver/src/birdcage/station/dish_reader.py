@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import timedelta
 from functools import partial
@@ -24,6 +24,7 @@ from birdcage.rotator.own import laid_by_owner
 from birdcage.rotator.values import Survey
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
+from birdcage.station.signals import Signals
 from birdcage.station.state import Activity, LimitSource, Pointing, TvSearch
 from birdcage.station.state_store import StateStore
 
@@ -31,17 +32,15 @@ from birdcage.station.state_store import StateStore
 class DishReader:
     """Reads from the dish into the state. Every method may raise LinkError or NoReply."""
 
-    def __init__(self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings) -> None:
-        self._store, self._antenna, self._settings = store, antenna, settings
+    def __init__(
+        self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings, signals: Signals
+    ) -> None:
+        self._store, self._antenna, self._settings, self._signals = store, antenna, settings, signals
         self._survey = Survey()
         self.rules: Rules = settings
         """The user's own limits, as they are now."""
         self.elsewhere = False
         """Whether the console may be in another menu than the motors'."""
-        self.on_forgotten: Callable[[], None] = lambda: None
-        """Told when the dish was homed and, without anybody's doing, no longer is."""
-        self.on_read: Callable[[], None] = lambda: None
-        """Told when the gate has a position that was just read, before anybody is told."""
 
     def forget_survey(self) -> None:
         """The dish may be another one, or have other settings: read them again when the link comes up."""
@@ -65,7 +64,7 @@ class DishReader:
             homed=homed, position=None, position_lost=unknown.reason, position_text=said, turn=self._turn()
         )
         if forgot:
-            self.on_forgotten()
+            self._signals.forgotten()
 
     def _turn(self) -> CableTurn:
         gate = self._antenna.gate
@@ -104,7 +103,7 @@ class DishReader:
         gate = self._antenna.gate
         dish = gate.position
         assert dish is not None, "it was read just now"
-        self.on_read()
+        self._signals.position_read()
         at, utc = self._store.stamp()
         told, word = self._antenna.strategy.reads_position, self._antenna.reckoning.word
         if not told and word is not None:

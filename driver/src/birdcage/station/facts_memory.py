@@ -14,8 +14,8 @@ from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts
 from birdcage.station.events import Event, PositionRead
 from birdcage.station.facts_file import FILE, FactsFile
+from birdcage.station.signals import Signals
 from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
 
 TELLING_DEG = 0.005
 """An overshoot that was learnt is replaced where it has changed by more."""
@@ -25,15 +25,14 @@ class FactsMemory:
     """Over `facts.json` of the dish; of a dish without an identity it lasts as long as the program."""
 
     def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, stopper: Stopper, state_folder: Path | None,
+        self, store: StateStore, antenna: BirdcageAntenna, signals: Signals, state_folder: Path | None,
         identify: Callable[[str], str | None],
     ) -> None:  # fmt: skip
-        self._store, self._antenna, self._stopper = store, antenna, stopper
+        self._store, self._antenna, self._signals = store, antenna, signals
+        signals.port_found.connect(self.meet)
         self._state_folder, self._identify = state_folder, identify
         self._key: str | None = None
         self._file: FactsFile | None = None
-        self.on_waits: Callable[[], None] = lambda: None
-        """Told when the dish was seen to wait for its motors."""
         antenna.commands.on_blocking = self._see_it_wait
         store.subscribe(self._hear)
 
@@ -53,7 +52,7 @@ class FactsMemory:
 
     def _see_it_wait(self) -> None:
         self._show()
-        self.on_waits()
+        self._signals.waits()
         if not self._antenna.strategy.one_at_a_time:
             self._store.warn(
                 "facts",

@@ -2,31 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
-from birdcage.station.control import Control
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.motor_power import MotorPower
+from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Set
 from birdcage.station.search_control import SearchControl
-from birdcage.station.state_store import StateStore
 
 
 class FeatureHandler:
-    """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
+    """Errors are raised, and become the future's."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, reader: DishReader, motors: MotorPower,
-        search: SearchControl, wire_free: Callable[[], None],
-    ) -> None:  # fmt: skip
-        self._store, self._antenna, self._control, self._reader = store, antenna, control, reader
-        self._motors, self._search, self._wire_free = motors, search, wire_free
+    def __init__(self, parts: Parts, motors: MotorPower, search: SearchControl) -> None:
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._reader, self._motors, self._search = parts.reader, motors, search
 
     def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
         """Ask the machine for some features, and tell all; what it did not tell is left out.
@@ -44,7 +38,7 @@ class FeatureHandler:
                 )
             if not all(each.cost.while_moving for each in due):
                 refuse_while_moving(self._store, self._antenna, "Nothing is read")
-            self._wire_free()
+            self._parts.free_wire()
             readings |= self._ask([each.id for each in due])
         return {each: readings[each] for each in ids if each in readings}
 
@@ -120,7 +114,7 @@ class FeatureHandler:
         """Raise what forbids `holder` to have the machine do something; the lease stays where it is."""
         self._control.may_take(holder)
         self._control.refuse(holder)
-        self._wire_free()
+        self._parts.free_wire()
 
     def _come_back(self) -> None:
         self._antenna.rotator.make_ready()

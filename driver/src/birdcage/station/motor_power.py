@@ -2,33 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
 from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station.applying import refuse_while_moving
-from birdcage.station.control import Control
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
-from birdcage.station.mover import Job, Mover
+from birdcage.station.mover import Job
+from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
-from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
 
 
 class MotorPower:
     """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
-        reader: DishReader,
-        wire_free: Callable[[], None],
-    ) -> None:  # fmt: skip
-        self._store, self._antenna, self._control, self._mover = store, antenna, control, mover
-        self._stopper, self._reader, self._wire_free = stopper, reader, wire_free
+    def __init__(self, parts: Parts) -> None:
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._mover, self._stopper, self._reader = parts.mover, parts.stopper, parts.reader
 
     def release(self, holder: str, stops_seen: int) -> None:
         """Take the current off.
@@ -41,7 +32,7 @@ class MotorPower:
         held = self._control.latched
         if not held:
             self._control.take(holder)
-        self._wire_free()
+        self._parts.free_wire()
 
         def permit() -> None:
             if self._stopper.count != stops_seen:
@@ -57,7 +48,7 @@ class MotorPower:
     def engage(self, holder: str) -> None:
         """Put the current back on: a motion, for the dish may jerk to the next step. Its position stays unknown."""
         self._control.admit(holder)
-        self._wire_free()
+        self._parts.free_wire()
         refuse_while_moving(self._store, self._antenna, "The motors are not engaged")
         self._antenna.rotator.engage_motors()
         self._reader.position()
@@ -77,7 +68,7 @@ class MotorPower:
                 reason=Reason.FEED,
             )
         self._control.admit(holder)
-        self._wire_free()
+        self._parts.free_wire()
         refuse_while_moving(self._store, self._antenna, "The dish is not stowed")
         if self._reader.position() is None:
             raise PositionUnknown(
@@ -109,7 +100,7 @@ class MotorPower:
             raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason=Reason.UNSUPPORTED)
         if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
             raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason=Reason.UNSUPPORTED)
-        self._wire_free()
+        self._parts.free_wire()
         refuse_while_moving(self._store, self._antenna, "No speed is set")
         speed_deg_s = self._reader.set_speed(motor, speed_deg_s)
         rotator.make_ready()

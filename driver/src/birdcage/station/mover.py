@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 
@@ -18,6 +17,7 @@ from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.values import Position
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import ActivityChanged, End, MoveEnded, MoveProgress, MoveStarted
+from birdcage.station.signals import Signals
 from birdcage.station.state import MOVING, Activity, Motion, Pointing
 from birdcage.station.state_store import StateStore
 
@@ -69,8 +69,8 @@ class Job:
 class Mover(ABC):
     """Latest wins: a new target supersedes the motion under way."""
 
-    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader) -> None:
-        self._store, self._antenna, self._reader = store, antenna, reader
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, signals: Signals) -> None:
+        self._store, self._antenna, self._reader, self._signals = store, antenna, reader, signals
         self._job: Job | None = None
         self.due: float | None = None
         """When to look at the motion next; None while nothing moves."""
@@ -79,10 +79,6 @@ class Mover(ABC):
         self._last_follow: tuple[str, float] | None = None
         self._is_busy = False
         """Whether the dish was told to wait for a motor, and has not answered since."""
-        self.on_stall: Callable[[str], None] = lambda _sentence: None
-        """Told when the dish stands still away from its target."""
-        self.on_astray: Callable[[], None] = lambda: None
-        """Told when the dish moves on though its motion must be over."""
 
     def busy(self) -> None:
         """The dish does not answer a motor command: it waits for the motor that runs."""
@@ -260,7 +256,7 @@ class Mover(ABC):
         """The dish does not get to its target: end the motion and raise the fault."""
         self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.STALL))
         self._antenna.moving.end()  # STOP must not send it to its target once more
-        self.on_stall(sentence)
+        self._signals.stalled(sentence)
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
         self._job, self.due = None, None

@@ -3,29 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from contextlib import suppress
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
-from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, LinkError, MotionRefused, Stopped
+from birdcage.base.errors import BirdcageError, CommandRefused, Held, LeaseDenied, MotionRefused, Stopped
 from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
 from birdcage.station import pursuit_words as words
-from birdcage.station.control import Control
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
 from birdcage.station.interruption import Interruption
-from birdcage.station.mover import Mover
+from birdcage.station.parts import Parts
 from birdcage.station.pursuit_contexts import context_for, controller_that_suits, refuse
 from birdcage.station.pursuit_reporter import PursuitReporter
 from birdcage.station.pursuit_state import Phase, Pursuit
 from birdcage.station.state import Activity, LinkPhase
-from birdcage.station.state_store import StateStore
 from birdcage.station.step_runner import StepRunner
-from birdcage.station.stopper import Stopper
-from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Step, StepResult
 
 if TYPE_CHECKING:
@@ -43,21 +37,17 @@ QUIET = (Phase.WAITING, Phase.YIELDED)
 class PursuitRunner:
     """One pursuit at a time. `due` and `tick` belong to the station's loop, the rest to its desk and its alarms."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
-        reader: DishReader,
-        watches: Watches,
-    ) -> None:  # fmt: skip
-        self._store, self._antenna, self._control = store, antenna, control
-        self._mover, self._stopper = mover, stopper
-        self.on_slow: Callable[[str], None] = lambda _sentence: None
-        """Told when the dish does not take its speeds back."""
-        self._runner = StepRunner(store, antenna, reader, mover, watches)
+    def __init__(self, parts: Parts) -> None:
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._mover, self._stopper = parts.mover, parts.stopper
+        self._runner = StepRunner(parts)
+        parts.signals.interrupted.connect(self.interrupted)
+        parts.signals.waits.connect(self.suit_dish)
         self.speeds = self._runner.speeds
         """Those of the dish that a pursuit has changed."""
         self._run: Generator[Step, StepResult, None] | None = None
         self._context: PursuitContext | None = None
-        self._reporter = PursuitReporter(store, antenna)
+        self._reporter = PursuitReporter(parts.store, parts.antenna)
         self._interruption: Interruption | None = None
         self._leads = False
         """Whether it has taken the lease since it began or went on."""
@@ -88,9 +78,7 @@ class PursuitRunner:
         if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
             self._renew(request.plan)
             return live.number
-        if (link := self._store.state.link).state is not LinkPhase.UP:
-            no_link = f"No link to the dish, so nothing is followed ({link.detail})."
-            raise LinkError(no_link, reason=Reason(link.state.value))
+        self._parts.require_link("nothing is followed")
         context, name = context_for(request, self._store, self._antenna, self._hear)
         self._antenna.gate.require_position()
         self._control.refuse(request.holder)
@@ -181,7 +169,7 @@ class PursuitRunner:
             self._runner.speeds.restore()
         except (CommandRefused, MotionRefused) as refused:
             self._runner.speeds.forget()
-            self.on_slow(str(refused))
+            self._parts.signals.speed_stuck(str(refused))
 
     def tick(self) -> None:
         """Go on with the pursuit, as far as one exchange."""

@@ -15,6 +15,7 @@ from birdcage.rotator.ladder import StopMeans
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
+from birdcage.station.signals import Signals
 from birdcage.station.silent_slew_watch import MARGIN_S, SilentSlewWatch
 from birdcage.station.state import Activity, Pointing
 from birdcage.station.state_store import StateStore
@@ -28,8 +29,8 @@ ASTRAY_S = 20.0
 class QueuedMover(Mover):
     """Follows a motion leg by leg. A newer target waits until the leg under way has ended, or was aborted."""
 
-    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader) -> None:
-        super().__init__(store, antenna, reader)
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, signals: Signals) -> None:
+        super().__init__(store, antenna, reader, signals)
         self._sender = LegSender(antenna)
         self._slew_watch = SilentSlewWatch(store, antenna)
         self._legs: deque[Leg] | None = None
@@ -191,7 +192,7 @@ class QueuedMover(Mover):
         sentence = "The dish still moves after the end of its motion."
         self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.MOVED))
         self._antenna.moving.end()
-        self.on_astray()
+        self._signals.astray()
 
     def _leg_over(self, job: Job) -> None:
         self._antenna.moving.end()

@@ -9,26 +9,20 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import replace
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.raw_limits import limited
-from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, LinkError, Stopped
+from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, Stopped
 from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import MoveKind
 from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station import requests as ask
-from birdcage.station.control import Control
 from birdcage.station.dish_monitor import DishMonitor
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.line_under_way import LineUnderWay, SentLine
 from birdcage.station.menu_commands import MenuCommands
-from birdcage.station.mover import Mover
+from birdcage.station.parts import Parts
 from birdcage.station.raw import IDLE_S, MenuCommand, RawMark, RawReply
 from birdcage.station.raw_effects import RawEffects
 from birdcage.station.state import Activity, LinkPhase
-from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
-from birdcage.station.watches import Watches
 
 LONGEST_LINE = 120
 """Characters. No command that is known needs a third of it, and what a firmware does with more is unknown."""
@@ -37,17 +31,18 @@ LONGEST_LINE = 120
 class RawConsole:
     """Active from the first raw line, or from the lease taken as `console`, until the lease is gone."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
-        reader: DishReader,
-        watches: Watches, monitor: DishMonitor, effects: RawEffects, permit: Callable[[], None],
-    ) -> None:  # fmt: skip
+    def __init__(self, parts: Parts, monitor: DishMonitor, effects: RawEffects, permit: Callable[[], None]) -> None:
         """`permit` raises to keep a line that moves the dish from going out."""
-        self._store, self._antenna, self._control, self._mover = store, antenna, control, mover
-        self._stopper, self._reader, self._watches, self._monitor = stopper, reader, watches, monitor
-        self._effects, self._permit_motion = effects, permit
-        self.line = LineUnderWay(store, antenna, stopper, reader, effects)
-        self.menus = MenuCommands(antenna.raw)
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._mover, self._stopper, self._reader, self._watches = (
+            parts.mover,
+            parts.stopper,
+            parts.reader,
+            parts.watches,
+        )
+        self._monitor, self._effects, self._permit_motion = monitor, effects, permit
+        self.line = LineUnderWay(parts.store, parts.antenna, parts.stopper, parts.reader, effects)
+        self.menus = MenuCommands(parts.antenna.raw)
         self._holder: str | None = None
         self._last = 0.0
 
@@ -155,11 +150,8 @@ class RawConsole:
 
     def _take_console(self, holder: str) -> str | None:
         """Take the lease and the wire; return the menu that the dish is in, where it has any."""
-        link, state = self._store.state.link, self._store.state
-        if link.state is not LinkPhase.UP:
-            raise LinkError(
-                f"No link to the dish, so nothing is sent ({link.detail}).", reason=Reason(link.state.value)
-            )
+        self._parts.require_link("nothing is sent")
+        state = self._store.state
         busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING)
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(

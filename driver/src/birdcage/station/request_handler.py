@@ -5,46 +5,40 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import BirdcageError, LinkError, MotionRefused, Stopped
+from birdcage.base.errors import BirdcageError, MotionRefused, Stopped
 from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
-from birdcage.station.control import Control
-from birdcage.station.dish_monitor import DishMonitor
-from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End, FaultAcknowledged
 from birdcage.station.features import FeatureHandler
 from birdcage.station.motor_power import MotorPower
-from birdcage.station.mover import Job, Mover
+from birdcage.station.mover import Job
+from birdcage.station.parts import Parts
 from birdcage.station.pursuit_runner import PursuitRunner
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
 from birdcage.station.search_control import SearchControl
-from birdcage.station.settings import StationSettings
-from birdcage.station.state import Activity, LinkPhase
-from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
-from birdcage.station.watches import Watches
+from birdcage.station.state import Activity
 
 
 class RequestHandler:
     """Knows who serves what. Errors are raised, and become the future's."""
 
     def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, control: Control, mover: Mover, stopper: Stopper,
-        reader: DishReader,
-        watches: Watches, monitor: DishMonitor, rewire: Rewire, raw_console: RawConsole,
-        applying: Applying, settings: StationSettings, pursuits: PursuitRunner,
-    ) -> None:  # fmt: skip
-        self._store, self._antenna, self._control, self._mover = store, antenna, control, mover
-        self._stopper, self._reader, self._watches, self._monitor = stopper, reader, watches, monitor
+        self, parts: Parts, rewire: Rewire, raw_console: RawConsole, applying: Applying, pursuits: PursuitRunner
+    ) -> None:
+        self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
+        self._mover, self._stopper, self._reader, self._watches = (
+            parts.mover,
+            parts.stopper,
+            parts.reader,
+            parts.watches,
+        )
         self._rewire, self._raw_console, self._applying, self._pursuits = rewire, raw_console, applying, pursuits
-        self._motors = MotorPower(store, antenna, control, mover, stopper, reader, self._free_wire)
-        self._search = SearchControl(store, antenna, reader, settings)
-        self._features = FeatureHandler(store, antenna, control, reader, self._motors, self._search, self._free_wire)
+        self._motors, self._search = MotorPower(parts), SearchControl(parts)
+        self._features = FeatureHandler(parts, self._motors, self._search)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
         """Serve one request; its future is resolved now, or at arrival for a motion.
@@ -131,20 +125,12 @@ class RequestHandler:
 
     def _ready(self, holder: str) -> None:
         self._control.admit(holder)
-        self._free_wire()
+        self._parts.free_wire()
 
     def _make_way(self, holder: str) -> None:
         """End what prints on, unless `holder` will be refused anyway."""
         if self._control.latched or self._store.state.holder in (None, holder):
             self._raw_console.line.make_way()
-
-    def _free_wire(self) -> None:
-        link = self._store.state.link
-        if link.state is not LinkPhase.UP:
-            raise LinkError(
-                f"No link to the dish, so nothing is sent ({link.detail}).", reason=Reason(link.state.value)
-            )
-        self._watches.end_excursion()
 
     def _move(self, request: ask.Goto | ask.Follow | ask.Jog, future: Future[object]) -> None:
         self._antenna.gate.require_direction()
@@ -173,7 +159,7 @@ class RequestHandler:
         take_over = not isinstance(request, ask.Follow) and request.take_over
         previous = self._store.state.holder
         self._control.may_take(request.holder, take_over=take_over)
-        self._free_wire()
+        self._parts.free_wire()
         judge()
         self._control.take(request.holder, take_over=take_over)
         return previous

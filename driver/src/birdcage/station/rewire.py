@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import BirdcageError, LinkError, Stopped
 from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
@@ -14,11 +13,8 @@ from birdcage.link.opening import has_speed
 from birdcage.rotator.values import Survey
 from birdcage.station.connection import Connection
 from birdcage.station.dish_monitor import DishMonitor
-from birdcage.station.dish_reader import DishReader
-from birdcage.station.settings import StationSettings
+from birdcage.station.parts import Parts
 from birdcage.station.state import MOVING, LinkPhase, TvSearch
-from birdcage.station.state_store import StateStore
-from birdcage.station.stopper import Stopper
 
 PROBE_DEADLINE_S = 20.0
 """No further rate is tried after this: `rfc2217://` may take 3 s to open, each time."""
@@ -28,12 +24,11 @@ class Rewire:
     """Serves `ProbePort` and `Connect`. The port is closed for both, so neither is done while the dish moves."""
 
     def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, settings: StationSettings, connection: Connection,
-        stopper: Stopper, reader: DishReader, monitor: DishMonitor, wake: Wake, on_wake: Callable[[], None],
-    ) -> None:  # fmt: skip
-        self._store, self._antenna, self._settings = store, antenna, settings
-        self._connection, self._stopper, self._reader, self._monitor = connection, stopper, reader, monitor
-        self._wake, self._on_wake = wake, on_wake
+        self, parts: Parts, connection: Connection, monitor: DishMonitor, wake: Wake, on_wake: Callable[[], None]
+    ) -> None:
+        self._store, self._antenna, self._settings = parts.store, parts.antenna, parts.settings
+        self._stopper, self._reader = parts.stopper, parts.reader
+        self._connection, self._monitor, self._wake, self._on_wake = connection, monitor, wake, on_wake
 
     def probe(self, bauds: tuple[int, ...] = ()) -> tuple[BaudFinding, ...]:
         """Listen at the present rate, then at `bauds` or the usual ones, until one shows a prompt.

@@ -4,26 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, ConfigError, NoReply, StoreError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
-from birdcage.station.dish_reader import DishReader
-from birdcage.station.settings import StationSettings
+from birdcage.station.parts import Parts
 from birdcage.station.state import Activity, TvSearch
-from birdcage.station.state_store import StateStore
 
 
 class SearchControl:
     """What the switch does depends on the dish: see `Facts.search_switch`."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, settings: StationSettings
-    ) -> None:
-        self._store, self._antenna, self._reader, self._folder = store, antenna, reader, settings.backup_folder
+    def __init__(self, parts: Parts) -> None:
+        self._store, self._antenna, self._reader = parts.store, parts.antenna, parts.reader
+        self._folder = parts.settings.backup_folder
 
     def refuse(self, *, disabled: bool) -> None:
         """Raise CommandRefused (`unsupported`) where this can't be done, BirdcageError (`moving`) while it may not.

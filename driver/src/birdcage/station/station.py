@@ -27,6 +27,7 @@ from birdcage.station.dish_monitor import DishMonitor
 from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.facts_memory import FactsMemory
+from birdcage.station.parts import Parts
 from birdcage.station.pursuit_runner import PursuitRunner
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import MenuCommand, Verdict
@@ -38,6 +39,7 @@ from birdcage.station.requests import Request
 from birdcage.station.rewire import Rewire
 from birdcage.station.saved_speeds import SavedSpeeds
 from birdcage.station.settings import StationSettings
+from birdcage.station.signals import Signals
 from birdcage.station.state import MOVING, StationState
 from birdcage.station.state_store import Listener, StateStore
 from birdcage.station.stop_pending import StopReach
@@ -76,52 +78,39 @@ class Station:
         self._closing = threading.Event()
         self._shutting = False
         """Whether what is said to the dish now is what has to be said before the end."""
-        self._control = Control(store, settings.held_keeper)
-        self._reader = reader = DishReader(store, antenna, settings)
-        self._mover = DishMover(store, antenna, reader)
-        self._stopper = Stopper(store, antenna, self._control, self._mover, reader)
-        self._facts = FactsMemory(store, antenna, self._stopper, settings.state_folder, settings.identify)
-        applying = Applying(store, antenna, self._mover, self._stopper, reader, wrong_facts)
-        applying.use(settings)
+        signals = Signals()
+        self._control = control = Control(store, signals, settings.held_keeper)
+        self._reader = reader = DishReader(store, antenna, settings, signals)
+        self._mover = mover = DishMover(store, antenna, reader, signals)
+        self._stopper = Stopper(store, antenna, control, mover, reader)
         self._watches = Watches()
-        self._monitor = DishMonitor(store, antenna, self._control, self._mover, self._stopper, reader, self._watches)
-        self._pursuits = PursuitRunner(
-            store, antenna, self._control, self._mover, self._stopper, reader, self._watches
+        parts = Parts(
+            store, antenna, settings, signals, control, reader, mover, self._stopper, self._watches,
         )  # fmt: skip
-        self._monitor.on_interrupted = self._pursuits.interrupted
-        self._pursuits.on_slow = self._monitor.slow
-        self._facts.on_waits = self._pursuits.suit_dish
+        FactsMemory(store, antenna, signals, settings.state_folder, settings.identify)
+        self._turns = TurnMemory(
+            store, antenna.gate, signals, settings.firmware, settings.state_folder, settings.identify
+        )  # fmt: skip
+        applying = Applying(parts, wrong_facts)
+        applying.use(settings)
+        self._pursuits = PursuitRunner(parts)
         if settings.state_folder is not None:
             self._pursuits.speeds.remember(SavedSpeeds(settings.state_folder, settings.port, settings.firmware))
-        self._turns = TurnMemory(
-            store, antenna.gate, settings.firmware, settings.state_folder, settings.identify
-        )  # fmt: skip
-        reader.on_read, self._monitor.on_restart = self._turns.recall, self._turns.drop
         self._pursued = False
         """Whether the last piece of work was the pursuit's: then a request has its turn."""
+        self._monitor = monitor = DishMonitor(parts)
         self._connection = Connection(
-            store, antenna, settings, reader,
+            store, antenna, settings, reader, signals,
             Hooks(
                 dial=settings.open_link, site=settings.site, delay_s=settings.delay_s, permit=antenna.check_permit,
-                wake=self._wake,
-                on_wake=self._on_wake, on_line=self._monitor.on_line, on_restart=self._monitor.restarted,
-                on_trouble=self._monitor.troubled, on_look=self._monitor.heard_position,
-                on_facts=reader.learn, on_busy=self._mover.busy,
+                wake=self._wake, on_wake=self._on_wake, on_line=monitor.on_line, on_restart=monitor.restarted,
+                on_trouble=monitor.troubled, on_look=monitor.heard_position, on_facts=reader.learn, on_busy=mover.busy,
             ),
         )  # fmt: skip
-        self._connection.on_port = self._meet
-        rewire = Rewire(
-            store, antenna, settings, self._connection, self._stopper, reader, self._monitor, self._wake, self._on_wake
-        )
-        self._raw_console = RawConsole(
-            store, antenna, self._control, self._mover, self._stopper, reader, self._watches, self._monitor,
-            RawEffects(store, antenna, self._mover, settings.remark, self._monitor.restarted),
-            self._permit,
-        )  # fmt: skip
-        self._handler = RequestHandler(
-            store, antenna, self._control, self._mover, self._stopper, reader, self._watches, self._monitor, rewire,
-            self._raw_console, applying, settings, self._pursuits,
-        )  # fmt: skip
+        rewire = Rewire(parts, self._connection, monitor, self._wake, self._on_wake)
+        effects = RawEffects(store, antenna, mover, settings.remark, monitor.restarted)
+        self._raw_console = RawConsole(parts, monitor, effects, self._permit)
+        self._handler = RequestHandler(parts, rewire, self._raw_console, applying, self._pursuits)
 
     @property
     def state(self) -> StationState:
@@ -305,12 +294,6 @@ class Station:
             self._serve(*self._inbox.popleft())
         else:
             self._guard(self._monitor.tick)
-
-    def _meet(self, port: str) -> None:
-        """A port is about to be opened: what is remembered of its dish counts."""
-        self._control.meet(port)
-        self._facts.meet(port)
-        self._turns.meet(port)
 
     def _connect(self) -> None:
         if self._connection.attempt():

@@ -6,19 +6,16 @@ import math
 from collections import deque
 from concurrent.futures import Future
 
-from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
-from birdcage.station.dish_reader import DishReader
-from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job, Mover
+from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
+from birdcage.station.parts import Parts
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
 from birdcage.station.signal_excursion import SignalExcursion
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import Activity, Motion, Pointing
-from birdcage.station.state_store import StateStore
-from birdcage.station.watches import Watches
 from birdcage.tracking.steps import Hear, LimitSpeeds, Send, SlewTo, Step, StepResult, Wait
 from birdcage.tracking.steps import ReadPosition as Read
 
@@ -45,12 +42,11 @@ SHOW_S = 0.1
 class StepRunner:
     """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
 
-    def __init__(
-        self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader, mover: Mover, watches: Watches
-    ) -> None:
-        self._store, self._antenna, self._reader, self._mover = store, antenna, reader, mover
-        self._excursion = SignalExcursion(store, antenna, reader, watches)
-        self.speeds = SpeedRestorer(store, antenna, reader)
+    def __init__(self, parts: Parts) -> None:
+        self._store, self._antenna, self._signals = parts.store, parts.antenna, parts.signals
+        self._reader, self._mover = parts.reader, parts.mover
+        self._excursion = SignalExcursion(parts.store, parts.antenna, parts.reader, parts.watches)
+        self.speeds = SpeedRestorer(parts.store, parts.antenna, parts.reader)
         self.step: Step | None = None
         self.holder = ""
         self.hurry = False
@@ -234,7 +230,7 @@ class StepRunner:
             self._az_deg = answer.az_deg
             return answer
         if before is not None and now > since + ASTRAY_S:
-            self._mover.on_astray()
+            self._signals.astray()
         return None
 
     def _is_free(self) -> bool:

@@ -18,6 +18,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder
 from birdcage.station.events import ActivityChanged, Event, PositionRead
+from birdcage.station.signals import Signals
 from birdcage.station.state import Activity
 from birdcage.station.state_store import StateStore
 
@@ -43,7 +44,7 @@ class TurnMemory:
     """`turn.json` in the folder of the dish. For the station's thread; a thread of its own writes."""
 
     def __init__(
-        self, store: StateStore, gate: MotionGate, firmware: str, state_folder: Path | None,
+        self, store: StateStore, gate: MotionGate, signals: Signals, firmware: str, state_folder: Path | None,
         identify: Callable[[str], str | None],
     ) -> None:  # fmt: skip
         self._store, self._gate, self._firmware = store, gate, firmware
@@ -55,6 +56,9 @@ class TurnMemory:
         """What the first reading must agree with."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
         store.subscribe(self._hear)
+        signals.port_found.connect(self.meet)
+        signals.position_read.connect(self.recall)
+        signals.restarted.connect(self.drop)
 
     def meet(self, port: str) -> None:
         """Take in that the dish is at `port` from now on: its turn counts if the first reading is as it was left."""

@@ -1,0 +1,44 @@
+"""What those who drive the dish share: the parts of one station below them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from birdcage.antenna.antenna import BirdcageAntenna
+from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
+from birdcage.station.control import Control
+from birdcage.station.dish_mover import DishMover
+from birdcage.station.dish_reader import DishReader
+from birdcage.station.settings import StationSettings
+from birdcage.station.signals import Signals
+from birdcage.station.state import LinkPhase
+from birdcage.station.state_store import StateStore
+from birdcage.station.stopper import Stopper
+from birdcage.station.watches import Watches
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """Of one station; only for its thread."""
+
+    store: StateStore
+    antenna: BirdcageAntenna
+    settings: StationSettings
+    signals: Signals
+    control: Control
+    reader: DishReader
+    mover: DishMover
+    stopper: Stopper
+    watches: Watches
+
+    def require_link(self, so: str) -> None:
+        """Raise LinkError unless the dish answers; `so` is what is not done: `nothing is sent`."""
+        link = self.store.state.link
+        if link.state is not LinkPhase.UP:
+            raise LinkError(f"No link to the dish, so {so} ({link.detail}).", reason=Reason(link.state.value))
+
+    def free_wire(self) -> None:
+        """Have the console in the motor menu for what comes next. LinkError unless the dish answers."""
+        self.require_link("nothing is sent")
+        self.watches.end_excursion()
