@@ -6,8 +6,10 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from birdcage.base.errors import CommandRefused
 from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
+from birdcage.console.events import Reply
 
 UNKNOWN_TOKEN = ""
 """Stands for a prompt that no source tells: it is learnt from the dish (decision 0010)."""
@@ -60,6 +62,18 @@ class ConsoleDialect:
         for pattern, homing in self.troubles:
             if found := pattern.search(text):
                 return MotorTrouble(self.axis_names[found["axis"].upper()], homing, text.strip())
+        return None
+
+    def refusal_in(self, reply: Reply) -> CommandRefused | None:
+        """Return what the firmware's error in a reply means; None when it holds none."""
+        for line in reply.lines:
+            for pattern, reason in self.refusals:
+                if pattern.search(line):
+                    return CommandRefused(
+                        f"The dish refused `{reply.command}` in menu `{reply.menu}`: {line.strip()}",
+                        reason=reason,
+                        trouble=self.trouble_in(line),
+                    )
         return None
 
     def __post_init__(self) -> None:

@@ -1,32 +1,89 @@
-"""One console, one owner: asks, waits with a deadline, and knows which menu the dish is in by looking.
-
-Why a `q` can't reach a root prompt is argued in `docs/decisions/0003-q-in-step.md`.
-"""
+"""One console, one owner: asks, waits with a deadline, and knows which menu the dish is in by looking."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from typing import TypedDict, Unpack
 
+from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.base.reason import Reason
+from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import no_reply
+from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
+from birdcage.console.exchanges import Exchanges
 from birdcage.console.late import LATE, MOST_LATE
 from birdcage.console.learner import SETTLE_S
+from birdcage.console.menus import Menus
 from birdcage.console.raw import Typed
-from birdcage.console.talker import Talker
+from birdcage.console.wire import Wire
+from birdcage.link.port import Port
+
+DELAY_S = 2.0
+"""The longest that a byte may be on its way, in each direction, unless somebody knows better."""
 
 
-class Console(Talker):
+class SessionHooks(TypedDict, total=False):
+    """What the owner of a session may give it. What is left out is not there; `delay_s` is `DELAY_S` then."""
+
+    delay_s: float
+    """The longest that a byte may be on its way, in each direction: every answer has that long beyond its command."""
+    wake: Wake | None
+    """Ends waits early, and then calls `on_wake`."""
+    on_wake: Callable[[], None] | None
+    """Must clear `wake`, and may raise to abandon the exchange."""
+    on_line: LineSink | None
+    """Hears lines that no command asked for: boot texts."""
+
+
+class Console:
     """A session with a text console. Synchronous; one thread, except for `interject`.
-
-    `delay_s` (D) is the longest that a byte may be on its way, in each direction; every answer has that long beyond
-    what its command takes. `wake` ends waits early and then calls `on_wake`, which must clear it, and may raise to
-    abandon the exchange. `on_line` hears lines that no command asked for (boot texts).
 
     Every method that talks raises `LinkError` when the port is gone and `NoReply` when the dish does not answer.
     """
+
+    def __init__(self, link: Port, clock: Clock, dialect: ConsoleDialect, **hooks: Unpack[SessionHooks]) -> None:
+        self.clock, self.dialect = clock, dialect
+        self.delay_s = hooks.get("delay_s", DELAY_S)
+        on_line = hooks.get("on_line")
+        self._wire = Wire(link, clock, dialect, self.delay_s, hooks.get("wake"), hooks.get("on_wake"), on_line)
+        self._exchanges = Exchanges(self._wire)
+        self._menus = Menus(self._wire, self._exchanges, on_line)
+
+    @property
+    def menu(self) -> str | None:
+        """The menu that the last fresh prompt named; None when it is not known."""
+        return self._wire.menu
+
+    @property
+    def prompt(self) -> str:
+        """The prompt that last answered, as the dish shows it; empty before the first."""
+        return self._wire.token
+
+    @property
+    def in_step(self) -> bool:
+        """See `Exchanges`."""
+        return self._exchanges.in_step
+
+    @property
+    def took_s(self) -> float:
+        """See `Exchanges`."""
+        return self._exchanges.took_s
+
+    @property
+    def answered(self) -> int:
+        """See `Exchanges`."""
+        return self._exchanges.answered
+
+    def hear_busy(self, on_busy: Callable[[], None]) -> None:
+        """Have it told, once a line, that the dish is still busy with what came before it."""
+        self._exchanges.on_busy = on_busy
+
+    def refusal(self, reply: Reply) -> CommandRefused | None:
+        """Return what the firmware's error in `reply` means, or None when it holds none."""
+        return self.dialect.refusal_in(reply)
 
     @property
     def owed(self) -> int:
@@ -41,7 +98,7 @@ class Console(Talker):
     @property
     def round_trip_s(self) -> float | None:
         """How long the last short command took, from its first byte out to its prompt."""
-        return self._round_trip_s
+        return self._exchanges.round_trip_s
 
     def unanswered_s(self) -> float:
         """Return for how long the oldest line has had no answer: 0 where none is due, infinite where one is missing.
@@ -60,11 +117,7 @@ class Console(Talker):
 
         NoReply reasons: `silent`, `garbage`, `echo` (only our own bytes came back), `blocked` (text, but no prompt).
         """
-        self._wire.take_in()
-        self._late.end(self._limit)
-        if self._wire.lost:
-            return self._resynchronize()
-        return self._probe()
+        return self._menus.synchronize()
 
     def exchange(
         self,
@@ -86,12 +139,12 @@ class Console(Talker):
         """
         self._check(command)
         if self.dialect.may_leave(command):
-            if self._prove_submenu() == self.dialect.root:
+            if self._menus.prove_submenu() == self.dialect.root:
                 raise self._root_hazard(command)
         else:
-            self._resume()
-        changes = self._may_change_menu(command)
-        reply = self._transact(command.strip(), takes_s, on_line, permit, busy_s)
+            self._menus.resume()
+        changes = self._menus.may_change(command)
+        reply = self._exchanges.ask(command.strip(), takes_s, on_line, permit, busy_s)
         if changes:
             self._wire.menu = None
         refusal = self.refusal(reply) if judged else None
@@ -108,10 +161,10 @@ class Console(Talker):
         """
         self._check(line)
         if not self.dialect.may_leave(line):
-            self._resume()
-        elif self._prove_submenu() == self.dialect.root and not at_root:
+            self._menus.resume()
+        elif self._menus.prove_submenu() == self.dialect.root and not at_root:
             raise self._root_hazard(line)
-        changes = self._may_change_menu(line)
+        changes = self._menus.may_change(line)
         typed = Typed(self._wire, line, takes_s, permit)
         if changes:
             self._wire.menu = None
@@ -119,9 +172,7 @@ class Console(Talker):
 
     def find_menu(self) -> str:
         """Return the menu that the dish is in; asked by a bare Enter only when it is not known."""
-        self._resume()
-        assert self.menu is not None, "a prompt named it"
-        return self.menu
+        return self._menus.find()
 
     def run(
         self,
@@ -160,12 +211,12 @@ class Console(Talker):
         if not self.dialect.echo or self.dialect.learnt:
             return self.run(menu, command, permit=permit, judged=judged)
         self._wire.take_in()
-        self._late.collect()
-        if self._wire.lost or self.menu != menu or self._late.owed >= MOST_LATE:
+        self._exchanges.late.collect()
+        if self._wire.lost or self.menu != menu or self._exchanges.late.owed >= MOST_LATE:
             self.enter(menu)
-        if asks and self._late:
+        if asks and self._exchanges.late:
             raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)
-        reply = self._transact_soon(command.strip(), permit)
+        reply = self._exchanges.ask_soon(command.strip(), permit)
         refusal = self.refusal(reply) if judged else None
         if refusal is not None:
             raise refusal
@@ -182,43 +233,26 @@ class Console(Talker):
 
     def enter(self, menu: str) -> None:
         """Go to `menu`, by way of the one that it shares with where the dish is; nothing is sent when it is there."""
-        if menu not in self.dialect.prompts:
-            raise CommandRefused(f"This firmware has no menu `{menu}`.", reason=Reason.WRONG_MENU)
-        self._resume()
-        if self.menu == menu or self._is_proven(menu):
-            return
-        way = (self.dialect.root, *self.dialect.path(menu))
-        for step in way[way.index(self._leave_until(way)) + 1 :]:
-            self._go(step)
+        self._menus.enter(menu)
 
     def leave(self) -> None:
         """Go back to the root menu, menu by menu; nothing happens when the dish is there.
 
         Each `q` goes out only after a bare Enter has shown a submenu, with everything sent before accounted for.
         """
-        self._leave_until((self.dialect.root,))
+        self._menus.leave_until((self.dialect.root,))
 
     def leave_one(self) -> str:
         """Go back to the menu above the present one, as `leave`, and return where the dish is then."""
-        self._resume()
-        return self.dialect.root if self.menu == self.dialect.root else self._leave_one()
-
-    def _leave_until(self, there: Sequence[str]) -> str:
-        """Leave menus until the dish is in one of these, the root among them; return which."""
-        now = self.find_menu()
-        for _ in range(self.dialect.depth + 1):
-            if now in there:
-                return now
-            now = self._leave_one()
-        raise NoReply(f"The dish is still in menu `{now}`, though each above it was left.", reason=Reason.BLOCKED)
+        return self._menus.leave_one()
 
     def clear_up(self) -> bool:
         """Account at once for whatever may be under way, where the console allows it; return whether it is `in_step`.
 
         Without it a new session, or one after a fault, can leave its menu only after some seconds of quiet.
         """
-        self._resume()
-        return self.in_step or (self._clear_up() and self.in_step)
+        self._menus.resume()
+        return self.in_step or (self._exchanges.account_by_mark() and self.in_step)
 
     def leave_all(self, within_s: float = 2.0) -> bool:
         """Go back to the root if that can be done safely within `within_s`; return whether the dish is there.
@@ -226,20 +260,20 @@ class Console(Talker):
         For the moment before the port closes. A dish that stays in its menu is found there next time.
         """
         wire = self._wire
-        self._limit = self.clock.monotonic() + within_s
+        self._exchanges.limit = self.clock.monotonic() + within_s
         # Enter and `q` take a round trip each: what is left unanswered would answer the next program's first lines.
         menu = self.menu or ""
         menus = len(self.dialect.path(menu)) if menu in self.dialect.prompts else self.dialect.depth
-        too_slow = (1 + 2 * max(menus, 1)) * (self._round_trip_s or 0.0) > within_s
-        if too_slow or (not self.in_step and wire.quiet_at(strictly=True) >= self._limit):
-            self._limit = None
+        too_slow = (1 + 2 * max(menus, 1)) * (self._exchanges.round_trip_s or 0.0) > within_s
+        if too_slow or (not self.in_step and wire.quiet_at(strictly=True) >= self._exchanges.limit):
+            self._exchanges.limit = None
             return False
         try:
             self.leave()
         except (NoReply, CommandRefused, LinkError):
             return False
         finally:
-            self._limit = None
+            self._exchanges.limit = None
         return True
 
     def mistrust(self) -> None:
@@ -288,7 +322,7 @@ class Console(Talker):
         self._check(command)
         if self.dialect.may_leave(command):
             raise ValueError(f"`{command}` could leave the menu and can't be streamed")
-        self._resume()
+        self._menus.resume()
         wire = self._wire
         ticket = wire.send(command, max(0.0, until - self.clock.monotonic()))
         try:
@@ -301,7 +335,7 @@ class Console(Talker):
             raise
         if reply is None:
             wire.press_enter()
-            reply = self._await(command, ticket, self.delay_s, on_line)
+            reply = self._exchanges.wait_for(command, ticket, self.delay_s, on_line)
         refusal = self.refusal(reply)
         if refusal is not None:
             raise refusal
@@ -314,3 +348,14 @@ class Console(Talker):
     def listen(self, until: float) -> bool:
         """Take in what comes unasked (it goes to the session's `on_line`); False when nothing did before `until`."""
         return self._wire.pump(until)
+
+    def _root_hazard(self, line: str) -> CommandRefused:
+        return CommandRefused(
+            f"`{line}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
+            "its shell until a power cycle.",
+            reason=Reason.WRONG_MENU,
+        )
+
+    def _check(self, line: str) -> None:
+        if not (line.isascii() and line.isprintable()):
+            raise ValueError(f"a console line holds printable ASCII only, not {line!r}")

@@ -6,13 +6,13 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Unpack
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.session import Console
+from birdcage.console.session import Console, SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.generic import GENERIC_DIALECT, GENERIC_FACTS, GENERIC_FEATURES, position_in
 from birdcage.protocol.hazard import HazardTable
@@ -34,7 +34,6 @@ from birdcage.rotator.values import (
 from birdcage.rotator.verdict import Grade, Verdict
 
 if TYPE_CHECKING:
-    from birdcage.base.wake import Wake
     from birdcage.link.link import Link
 
 BOOT_TIMEOUT_S = 180.0
@@ -113,24 +112,15 @@ class FirmwareProtocol(ABC):
         clock = RealClock()
         self.attach(open_link(port, baud=baudrate, clock=clock), clock)
 
-    def attach(
-        self,
-        link: Link,
-        clock: Clock,
-        *,
-        delay_s: float = 2.0,
-        wake: Wake | None = None,
-        on_wake: Callable[[], None] | None = None,
-        on_line: Callable[[str], None] | None = None,
-    ) -> None:
+    def attach(self, link: Link, clock: Clock, **hooks: Unpack[SessionHooks]) -> None:
         """Speak over an open link. Sends nothing.
 
         `delay_s` is the longest that an answer may be on its way; `wake` ends waits early and then calls `on_wake`,
         which may raise to abandon the exchange; `on_line` hears unsolicited lines.
         """
         self._link = link
-        self._console = Console(link, clock, self.dialect, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
-        self._console.on_busy = self.on_busy
+        self._console = Console(link, clock, self.dialect, **hooks)
+        self._console.hear_busy(self.on_busy)
 
     def disconnect(self, *, within_s: float = 2.0) -> None:
         """Go back to the root menu where that is safe within a time (0: send nothing), and close the port.

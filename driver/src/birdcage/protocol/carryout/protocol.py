@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Unpack
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
+from birdcage.console.session import SessionHooks
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import DIALECT, NVS, TARGET
 from birdcage.protocol.carryout.features import FEATURES
@@ -26,7 +27,6 @@ from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
 if TYPE_CHECKING:
-    from birdcage.base.wake import Wake
     from birdcage.link.link import Link
 
 _GOING_S = 60.0
@@ -51,18 +51,9 @@ class CarryoutProtocol(FirmwareProtocol):
         self._records = RecordReader()
         self._heard: Position | None = None
 
-    def attach(
-        self,
-        link: Link,
-        clock: Clock,
-        *,
-        delay_s: float = 2.0,
-        wake: Wake | None = None,
-        on_wake: Callable[[], None] | None = None,
-        on_line: Callable[[str], None] | None = None,
-    ) -> None:
+    def attach(self, link: Link, clock: Clock, **hooks: Unpack[SessionHooks]) -> None:
         """Speak over an open link, and overhear its live records."""
-        super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=on_line)
+        super().attach(link, clock, **hooks)
         self._heard = None
         self._records.forget()
         self.console.overhear(self._hear)

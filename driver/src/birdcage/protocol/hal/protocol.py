@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, Unpack
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
+from birdcage.console.session import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
@@ -27,7 +28,6 @@ from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
 if TYPE_CHECKING:
-    from birdcage.base.wake import Wake
     from birdcage.link.link import Link
 
 _QUEUED_S = MOVE_TIMES.seconds(455.0) + 2.0
@@ -57,17 +57,9 @@ class HAL205Protocol(FirmwareProtocol):
         self._boot = BootWatch(self.boot_marks)
         self._hear: Callable[[str], None] = lambda _text: None
 
-    def attach(
-        self,
-        link: Link,
-        clock: Clock,
-        *,
-        delay_s: float = 2.0,
-        wake: Wake | None = None,
-        on_wake: Callable[[], None] | None = None,
-        on_line: Callable[[str], None] | None = None,
-    ) -> None:
+    def attach(self, link: Link, clock: Clock, **hooks: Unpack[SessionHooks]) -> None:
         """Speak over an open link; see `FirmwareProtocol.attach`."""
+        on_line = hooks.get("on_line")
         watch = self._boot = BootWatch(self.boot_marks)
 
         def hear(text: str) -> None:
@@ -77,7 +69,8 @@ class HAL205Protocol(FirmwareProtocol):
 
         self._slew = None
         self._hear = hear
-        super().attach(link, clock, delay_s=delay_s, wake=wake, on_wake=on_wake, on_line=hear)
+        hooks["on_line"] = hear
+        super().attach(link, clock, **hooks)
 
     def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = TRAVLER.boot_s) -> None:
         """Wait for the end of the boot, end the TV search, and go into the motor menu.
