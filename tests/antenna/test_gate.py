@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 
 import pytest
-from birdcage.antenna.gate import MotionGate, Sector
+from birdcage.antenna.gate import MotionGate
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
+from birdcage.base.no_go import NoGoSector
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.values import Position
 from hypothesis import given
@@ -105,7 +106,7 @@ def test_the_counted_cable_stays_within_its_range(azimuths):
 
 
 def test_a_corner_through_a_no_go_sector(gate):
-    gate.update(sectors=(Sector(200.0, 220.0, 40.0),))
+    gate.update(sectors=(NoGoSector(200.0, 220.0, 40.0),))
     gate.see(Position(180.0, 30.0))
     gate.count_cable()
     with pytest.raises(MotionRefused) as refused:
@@ -118,7 +119,7 @@ def test_a_corner_through_a_no_go_sector(gate):
 
 
 def test_a_dish_inside_a_sector_may_leave_it_upwards(gate):
-    gate.update(sectors=(Sector(170.0, 190.0, 50.0),))
+    gate.update(sectors=(NoGoSector(170.0, 190.0, 50.0),))
     gate.check(180, 60)
     with pytest.raises(MotionRefused):
         gate.check(180, 40)
@@ -140,7 +141,7 @@ def test_a_dish_inside_a_sector_may_leave_it_upwards(gate):
     ],
 )
 def test_an_unknown_turn_is_no_matter_where_no_stop_is_near(gate, start, goal, may):
-    gate.update(sectors=(Sector(250.0, 280.0, 40.0, "mast"),))
+    gate.update(sectors=(NoGoSector(250.0, 280.0, 40.0, "mast"),))
     gate.see(Position(start, 30.0))
     if may:
         gate.check(goal, 31)
@@ -157,7 +158,7 @@ def test_an_unknown_turn_is_no_matter_where_no_stop_is_near(gate, start, goal, m
 
 
 def test_the_short_way_through_a_sector_stays_closed(gate):
-    gate.update(sectors=(Sector(101.0, 102.0, 40.0),))
+    gate.update(sectors=(NoGoSector(101.0, 102.0, 40.0),))
     gate.see(Position(100.0, 30.0))
     with pytest.raises(MotionRefused, match="passes through"):
         gate.check(104, 31)
@@ -165,7 +166,7 @@ def test_the_short_way_through_a_sector_stays_closed(gate):
 
 @pytest.mark.parametrize(("reason", "words"), [("mast", "below 50° (mast),"), ("", "below 50°,")])
 def test_a_refusal_says_what_stands_in_the_sector(gate, reason, words):
-    gate.update(sectors=(Sector(170.0, 190.0, 50.0, reason),))
+    gate.update(sectors=(NoGoSector(170.0, 190.0, 50.0, reason),))
     with pytest.raises(MotionRefused) as refused:
         gate.check(180, 40)
     assert words in str(refused.value)

@@ -7,9 +7,9 @@ import threading
 import pytest
 from birdcage.antenna import AntennaConfig, BirdcageAntenna
 from birdcage.antenna.alignment import Alignment
-from birdcage.antenna.gate import Sector
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BelowFloor, CommandRefused, MotionRefused, PositionUnknown, WrongThread
+from birdcage.base.no_go import NoGoSector
 from birdcage.link.link import Link
 from birdcage.protocol import (
     FIRMWARE_REGISTRY,
@@ -240,6 +240,6 @@ def test_stop_sends_no_axis_beyond_its_limit():
 def test_where_only_the_overshoot_leads_into_a_sector_the_target_itself_is_sent():
     rig = Rig("g2?seed=1&az=-260", leapfrog_enabled=True)
     rig.antenna.initialize()
-    rig.antenna.gate.update(sectors=(Sector(150.5, 170.0, 60.0),))
+    rig.antenna.gate.update(sectors=(NoGoSector(150.5, 170.0, 60.0),))
     rig.antenna.move_to(150.0, 45.0)
     assert [line for line in rig.lines() if line.startswith("a 0 ")] == ["a 0 150.00"]

@@ -186,9 +186,9 @@ def test_a_counted_cable_is_a_limit_too(dish):
 
 
 def test_a_no_go_sector_is_a_limit_too(dish):
-    from birdcage.antenna.gate import Sector
+    from birdcage.base.no_go import NoGoSector
 
-    dish.gate.update(sectors=(Sector(150.0, 160.0, 50.0),))
+    dish.gate.update(sectors=(NoGoSector(150.0, 160.0, 50.0),))
     assert "no-go sector" in dish.judge("a 0 155", "mot", homed=True).limit
 
 

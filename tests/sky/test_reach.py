@@ -8,6 +8,7 @@ from datetime import UTC, datetime
 
 import numpy as np
 import pytest
+from birdcage.base.no_go import NoGoSector
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
@@ -15,7 +16,7 @@ from birdcage.sky.passes.search import search
 from birdcage.sky.propagate import Fleet, track
 from birdcage.sky.reach import reach, sample_times
 from birdcage.sky.reach_cable import runs_of
-from birdcage.sky.reach_limits import NoGo, ReachLimits
+from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.reach_model import Lost
 from birdcage.sky.reach_speed import azimuth_room, too_fast
 from hypothesis import given
@@ -115,7 +116,7 @@ def test_the_horizon_and_what_stands_there_are_named():
     clear = when_at(40.0)
     assert [(-clear, clear, None)] == shown(behind_wall.intervals)
     assert behind_wall.reasons == ("floor", "horizon")
-    mast = NoGo(60.0, 120.0, 90.0, "mast")
+    mast = NoGoSector(60.0, 120.0, 90.0, "mast")
     cut = reach(flyover(60.0), ReachLimits(no_go=(mast,)))
     # Azimuth 120 is where along = -beside / tan 60.
     at_120 = 500.0 / np.tan(np.radians(60.0)) / np.tan(np.radians(60.0)) / 7.5
@@ -124,7 +125,7 @@ def test_the_horizon_and_what_stands_there_are_named():
 
 
 def test_a_sector_may_contain_north_and_may_be_passed_over():
-    low_mast = NoGo(350.0, 10.0, 30.0)
+    low_mast = NoGoSector(350.0, 10.0, 30.0)
     found = reach(flyover(60.0, towards_deg=270.0), ReachLimits(no_go=(low_mast,)))
     assert found.lost == ()
     assert reach(flyover(25.0, towards_deg=270.0), ReachLimits(no_go=(low_mast,))).words() == ("no-go",)
@@ -207,7 +208,7 @@ def test_a_slow_dish_loses_the_keyhole_and_a_fast_one_does_not():
 
 def test_intervals_and_losses_are_the_whole_pass():
     limits = ReachLimits(
-        el_floor_deg=15.0, el_ceiling_deg=75.0, horizon=Wall(), no_go=(NoGo(100.0, 140.0, 50.0, "mast"),),
+        el_floor_deg=15.0, el_ceiling_deg=75.0, horizon=Wall(), no_go=(NoGoSector(100.0, 140.0, 50.0, "mast"),),
         cable_min_deg=-100.0, cable_max_deg=300.0, turn_known=True, az_rate_deg_s=4.0, el_rate_deg_s=4.0,
     )  # fmt: skip
     for top, towards in itertools.product((20.0, 50.0, 70.0, 85.0), range(0, 360, 30)):
@@ -229,7 +230,8 @@ def test_reach_is_where_brute_force_finds_the_direction_allowed(elements):
     here = Observer(40.0, -105.0, 1650.0)
     mask = HorizonMask([(0, 20), (90, 35), (91, 10), (200, 10), (300, 25)])
     limits = ReachLimits(
-        el_floor_deg=18.0, el_ceiling_deg=65.0, horizon=mask, no_go=(NoGo(330.0, 20.0, 50.0), NoGo(150.0, 170.0, 40.0)),
+        el_floor_deg=18.0, el_ceiling_deg=65.0, horizon=mask,
+        no_go=(NoGoSector(330.0, 20.0, 50.0), NoGoSector(150.0, 170.0, 40.0)),
         cable_min_deg=-423.33, cable_max_deg=23.33, turn_known=True, az_rate_deg_s=65.0, el_rate_deg_s=45.0,
     )  # fmt: skip
     reached = 0

@@ -90,7 +90,7 @@ def resolver(*more, without=()):
 def test_what_is_meant(typed, name):
     found = resolver().resolve(typed)
     assert found.problem == ""
-    assert (found.target.name, found.exact, found.why) == (name, True, "found")
+    assert (found.target.name, found.exact, found.reason) == (name, True, None)
 
 
 @pytest.mark.parametrize(
@@ -120,13 +120,13 @@ def test_what_is_meant(typed, name):
 def test_why_nothing_is_meant_and_what_to_do(typed, reason, told):
     found = resolver().resolve(typed)
     assert found.found is None
-    assert found.why == reason
+    assert found.reason == reason
     assert told in found.problem, found.problem
 
 
 def test_another_satellite_is_never_taken_for_one_that_is_absent():
     found = resolver(without=(25544,)).resolve("iss")
-    assert (found.found, found.why) == (None, "absent")
+    assert (found.found, found.reason) == (None, "absent")
     assert "ISS (25544) is not among your 10" in found.problem
     assert [each.text for each in found.candidates] == ["49044"]
 
@@ -136,14 +136,14 @@ def test_a_silent_one_is_taken_by_its_whole_name_only_and_says_so():
     assert found.note == "NOAA 19 has been silent since 2025-08-13 (source: NOAA, scijinks.gov)."
     assert found.silent_since == "2025-08-13"
     part = resolver(without=(43013,)).resolve("noaa")
-    assert (part.found, part.why) == (None, "silent")
+    assert (part.found, part.reason) == (None, "silent")
     assert part.problem.startswith("Only NOAA 19 has 'noaa' in its name. NOAA 19 has been silent since 2025-08-13")
     assert part.problem.endswith("Type 33591 to choose it all the same.")
 
 
 def test_of_several_the_silent_ones_come_last_and_say_so():
     found = resolver().resolve("noaa")
-    assert found.why == "ambiguous"
+    assert found.reason == "ambiguous"
     assert "NOAA 20 (JPSS-1) (43013), NOAA 19 (33591, silent since 2025-08-13)" in found.problem
 
 

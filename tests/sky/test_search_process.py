@@ -13,12 +13,13 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from birdcage.base.clock import RealClock
+from birdcage.base.no_go import NoGoSector
 from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
 from birdcage.sky.pass_search_job import PassSearchJob
-from birdcage.sky.reach_limits import NoGo, ReachLimits
+from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.search_process import SearchFailed, SearchProcess
 from birdcage.sky.watch import MOST_FAILURES, SkyWatch
 from birdcage.sky.watch_source import read_catalogue
@@ -26,7 +27,9 @@ from birdcage.sky.watch_source import read_catalogue
 HERE = Observer(50.0, 10.0, 300.0, "here")
 NOW = datetime(2026, 11, 21, 12, tzinfo=UTC)
 START = NOW - timedelta(minutes=30)
-LIMITS = ReachLimits(el_floor_deg=20.0, horizon=HorizonMask(((0.0, 30.0), (180.0, 5.0))), no_go=(NoGo(10, 40, 50),))
+LIMITS = ReachLimits(
+    el_floor_deg=20.0, horizon=HorizonMask(((0.0, 30.0), (180.0, 5.0))), no_go=(NoGoSector(10, 40, 50),)
+)
 BOUND_S = 40.0
 
 

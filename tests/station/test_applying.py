@@ -9,9 +9,10 @@ import pytest
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import Settings
 from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings
-from birdcage.base.config.sections import AlignmentSettings, MotionSettings, NoGoSector
+from birdcage.base.config.sections import AlignmentSettings, MotionSettings
 from birdcage.base.config.settings import Problem
 from birdcage.base.errors import BelowFloor, BirdcageError, MotionRefused
+from birdcage.base.no_go import NoGoSector
 from birdcage.station.requests import AcceptLimits, ApplySettings, Goto, Jog
 from birdcage.station.settings import StationSettings, rules_from
 from birdcage.station.state import LimitSource

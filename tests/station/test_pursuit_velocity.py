@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.geometry import separation
+from birdcage.base.no_go import NoGoSector
 from birdcage.sim.wire import DROP, PASS
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release, Stop

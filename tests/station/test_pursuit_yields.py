@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LinkError, MotionRefused, PositionUnknown
 from birdcage.base.geometry import separation
+from birdcage.base.no_go import NoGoSector
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Goto, Home, Pursue, Release, ReleaseLease
 

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 from birdcage.base.beam import Beam
 from birdcage.base.config.feeds import FeedProfile
-from birdcage.base.config.sections import AlignmentSettings, HorizonPoint, MotionSettings, NoGoSector, PlaceSettings
+from birdcage.base.config.sections import AlignmentSettings, HorizonPoint, MotionSettings, PlaceSettings
 from birdcage.base.config.settings import Settings
+from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.mapping import Arc
 from birdcage.sky.reach import reach
-from birdcage.sky.reach_limits import NoGo, ReachLimits
+from birdcage.sky.reach_limits import ReachLimits
 from birdcage.station.known import list_models
 from birdcage.station.reach_limits import reach_limits, reach_limits_of
 from birdcage.station.state import CableTurn as StateTurn
@@ -70,7 +71,7 @@ def test_limits_are_true_and_the_cable_is_the_dishes_own():
     limits = reach_limits(leaning, MODELS["g2"])
     assert (limits.el_floor_deg, limits.el_ceiling_deg, limits.az_offset_deg) == (20.5, 67.5, 103.0)
     assert limits.cable == (-423.33, 23.33)
-    assert limits.no_go == (NoGo(10.0, 20.0, 40.0, "mast"),)
+    assert limits.no_go == (NoGoSector(10.0, 20.0, 40.0, "mast"),)
     assert limits.tolerance_deg == 1.0  # that feed's beam is not known
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import LeaseDenied, MotionRefused
+from birdcage.base.no_go import NoGoSector
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Goto, Jog, TurnSkew
 from birdcage.station.state import Activity

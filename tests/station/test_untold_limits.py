@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.config import MotionSettings, Settings
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import MotionRefused, Stopped
+from birdcage.base.no_go import NoGoSector
 from birdcage.station.requests import ApplySettings, Goto, Release
 from birdcage.station.state import Activity
 

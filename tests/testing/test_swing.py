@@ -8,9 +8,10 @@ from dataclasses import replace
 import pytest
 from birdcage.base.config import FeedProfile, Settings
 from birdcage.base.config.feeds import FeedSettings
-from birdcage.base.config.sections import MotionSettings, NoGoSector
+from birdcage.base.config.sections import MotionSettings
 from birdcage.base.errors import MotionRefused, NoReply
 from birdcage.base.geometry import separation
+from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.facts import Readback
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, StopBy, StopOrder
 from birdcage.rotator.mapping import Site

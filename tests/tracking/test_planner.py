@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.beam import Beam
+from birdcage.base.no_go import NoGoSector
 from birdcage.sky.horizon import HorizonMask
-from birdcage.sky.reach_limits import NoGo
 from birdcage.sky.targets.model import Fixed
 from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.plan_words import plan_lines
-from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.bounds import PlanBounds
 from birdcage.tracking.planning.forecast import separations_deg
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.routes import route
@@ -96,7 +96,7 @@ def test_a_pass_that_fits_no_turn_gets_one_rewind_that_is_announced():
     plan = plan_of(-2.0, orbit={"inclination_deg": 51.6, "height_km": 420.0})
     before, rewind, after = plan.legs
     assert [leg.part for leg in plan.legs] == [PlanPart.FOLLOW, PlanPart.REWIND, PlanPart.FOLLOW]
-    taken = route(Bounds.of(mount()), g2(), (rewind.from_az_deg, 40.0), (rewind.to_az_deg, 38.0))
+    taken = route(PlanBounds.of(mount()), g2(), (rewind.from_az_deg, 40.0), (rewind.to_az_deg, 38.0))
     assert taken.seconds == pytest.approx(6.0, abs=0.1)
     assert rewind.end_s - rewind.start_s == pytest.approx(1.1 * taken.seconds + 3 * 1.0, abs=0.1), "no time for stops"
     assert (before.end_s, after.start_s) == (rewind.start_s, rewind.end_s)
@@ -132,7 +132,7 @@ def test_the_target_is_followed_as_soon_as_a_rewind_can_end(aside_deg):
     here = plan.course.at(before.end_s)
     for sooner_s in (2.0, 6.0, 12.0):
         target = TargetTrack.of(plan.sky, on).at(after.start_s - sooner_s, after.turn)
-        needed = route(Bounds.of(on), on.model, here, target)
+        needed = route(PlanBounds.of(on), on.model, here, target)
         assert needed.worst_s > after.start_s - sooner_s - before.end_s
 
 
@@ -152,7 +152,7 @@ def test_a_mast_is_passed_above_and_only_when_there_is_time():
     clear = plan_of(4.0)
     t = clear.course.t_s
     az = float(np.interp(np.mean(t), t, clear.course.az_deg)) % 360.0
-    masted = plan_of(4.0, mount(no_go=(NoGo(az - 8.0, az + 8.0, 62.0, "mast"),)))
+    masted = plan_of(4.0, mount(no_go=(NoGoSector(az - 8.0, az + 8.0, 62.0, "mast"),)))
     before, after = masted.legs
     assert "no-go: mast" in masted.reach.words()
     assert after.waypoints[0][1] > 62.0

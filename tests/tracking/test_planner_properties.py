@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 from birdcage.antenna.alignment import Alignment
-from birdcage.antenna.gate import Bounds, MotionGate
+from birdcage.antenna.gate import MotionBounds, MotionGate
+from birdcage.base.no_go import NoGoSector
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.values import Position
 from birdcage.sky.horizon import HorizonMask
-from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.rates import mean_rate_deg_s
@@ -23,7 +23,7 @@ from .orbits import NOW, PLACE, g2, mount, overhead, travler
 MODELS = (g2(), g2(88.0), travler(5.0), travler(3.0), TRAVLER)
 
 sectors = st.builds(
-    lambda az, width, below: NoGo(float(az), float((az + width) % 360), float(below), "mast"),
+    lambda az, width, below: NoGoSector(float(az), float((az + width) % 360), float(below), "mast"),
     st.integers(0, 359), st.integers(2, 90), st.sampled_from([20, 30, 50, 64, 70, 91]),
 )  # fmt: skip
 masks = st.lists(st.tuples(st.integers(0, 359), st.integers(0, 50)), max_size=5).map(
@@ -67,7 +67,7 @@ def blocked(on, az_deg, el_deg):
 
 def assert_gate_passes(on, start, stops):
     """The gate of the station lets the dish go from stop to stop, and by the turns that are meant."""
-    gate = MotionGate(on.model, Bounds(
+    gate = MotionGate(on.model, MotionBounds(
         sectors=tuple(
             on.alignment.sector_to_dish(one.az_from_deg, one.az_to_deg, one.el_below_deg) for one in on.limits.no_go
         )

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.antenna.gate import Bounds, MotionGate
+from birdcage.antenna.gate import MotionBounds, MotionGate
 from birdcage.base.errors import MotionRefused
 from birdcage.base.geometry import wrap_360
+from birdcage.base.no_go import NoGoSector
 from birdcage.kinematics import Slew
 from birdcage.rotator.values import Position
-from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.steering.choice import controller_for
@@ -25,7 +25,7 @@ class Wire:
 
     def __init__(self, on):
         floor, ceiling = on.el_min_deg, on.el_max_deg
-        self.gate = MotionGate(on.model, Bounds(floor, ceiling, sectors=tuple(
+        self.gate = MotionGate(on.model, MotionBounds(floor, ceiling, sectors=tuple(
             on.alignment.sector_to_dish(one.az_from_deg, one.az_to_deg, one.el_below_deg) for one in on.limits.no_go
         )))  # fmt: skip
         self.sent = [None, None]
@@ -88,7 +88,7 @@ def test_at_its_ceiling():
     follow(plan, on, seconds=200.0)
 
 
-MAST = NoGo(100.0, 120.0, 50.0, "mast")
+MAST = NoGoSector(100.0, 120.0, 50.0, "mast")
 NORTH = {"inclination_deg": 51.6, "height_km": 420.0}
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import pytest
+from birdcage.base.no_go import NoGoSector
 from birdcage.protocol.hal.model import TRAVLER
-from birdcage.sky.reach_limits import NoGo
 from birdcage.tracking.planning.planner import refine
 from birdcage.tracking.planning.rehearsal import rehearse
 from birdcage.tracking.steering.choice import controller_for
@@ -105,7 +105,7 @@ def test_a_plan_without_a_keyhole_has_nothing_to_choose():
 
 
 def test_refining_keeps_the_way_over_a_mast():
-    on = mount(travler(3.0), at=(200.0, 30.0), no_go=(NoGo(9.0, 10.5, 60.0, "mast"),))
+    on = mount(travler(3.0), at=(200.0, 30.0), no_go=(NoGoSector(9.0, 10.5, 60.0, "mast"),))
     plan = plan_of(0.37, on, orbit={"northbound": False})
     assert plan.keyholes
     assert any(leg.waypoints for leg in plan.legs)

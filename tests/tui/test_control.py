@@ -8,7 +8,7 @@ from functools import partial
 import pytest
 import stage
 import stand_in
-from birdcage.base.config.sections import NoGoSector
+from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.facts import CableTurn
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto

@@ -8,7 +8,7 @@ import pytest
 import stand_in
 import track_stand_in
 from birdcage.base.clock import VirtualClock
-from birdcage.base.config.sections import NoGoSector
+from birdcage.base.no_go import NoGoSector
 from birdcage.base.presets import Preset
 from birdcage.pursuit.now import Located
 from birdcage.rotator.facts import CableTurn

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from birdcage.antenna.gate import Sector
 from birdcage.antenna.pointing_model import PointingModel
 from birdcage.base.geometry import wrap_360
+from birdcage.base.no_go import NoGoSector
 
 _ALL_ROUND_DEG = 360.0 - 1e-9
 """The width of a sector that leaves no azimuth out: one of 360 would read as one of 0."""
@@ -57,7 +57,7 @@ class Alignment:
             az_deg = wrap_360(az_deg - self.az_offset_deg)
         return az_deg, el_deg - self.el_offset_deg
 
-    def sector_to_dish(self, from_az_deg: float, to_az_deg: float, below_el_deg: float, reason: str = "") -> Sector:
+    def sector_to_dish(self, from_az_deg: float, to_az_deg: float, below_el_deg: float, reason: str = "") -> NoGoSector:
         """Return a no-go sector, given in true angles, in the dish's frame.
 
         With collimation or tilt its edges are no straight lines there: it is taken as large as it can be.
@@ -70,8 +70,8 @@ class Alignment:
             start, end, width = self._widened(start, end, (to_az_deg - from_az_deg) % 360.0, below_el_deg, shift)
             below += shift
             if width >= _ALL_ROUND_DEG:
-                return Sector(0.0, _ALL_ROUND_DEG, below, reason)
-        return Sector(wrap_360(start), wrap_360(end), below, reason)
+                return NoGoSector(0.0, _ALL_ROUND_DEG, below, reason)
+        return NoGoSector(wrap_360(start), wrap_360(end), below, reason)
 
     @staticmethod
     def _widened(

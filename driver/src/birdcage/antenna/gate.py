@@ -10,30 +10,14 @@ from birdcage.antenna.mapped_way import mapped_points
 from birdcage.antenna.turning import LONGEST_SURE_DEG, AzimuthWay, azimuth_way, is_safe_at_any_turn
 from birdcage.base.errors import BelowFloor, MotionRefused, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.base.no_go import NoGoSector
 from birdcage.base.reason import Reason
 from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.values import Position
 
 
 @dataclass(frozen=True, slots=True)
-class Sector:
-    """A no-go sector: from one azimuth clockwise to another, below an elevation (dish frame, degrees)."""
-
-    from_az_deg: float
-    to_az_deg: float
-    below_el_deg: float
-    reason: str = ""
-    """What stands there; empty if not said."""
-
-    def overlaps(self, start_deg: float, turn_deg: float) -> bool:
-        """Return whether an azimuth sweep from `start_deg` through `turn_deg` touches the sector's azimuths."""
-        low = start_deg if turn_deg >= 0 else start_deg + turn_deg
-        width = (self.to_az_deg - self.from_az_deg) % 360.0
-        return (low - self.from_az_deg) % 360.0 <= width or (self.from_az_deg - low) % 360.0 <= abs(turn_deg)
-
-
-@dataclass(frozen=True, slots=True)
-class Bounds:
+class MotionBounds:
     """What limits motion beyond the dish itself: the user's settings and what was read from the dish."""
 
     el_min_deg: float | None = None
@@ -42,7 +26,8 @@ class Bounds:
     """The lowest elevation that the caller's configuration allows; the higher of floor and limit counts."""
     cable_min_deg: float | None = None
     cable_max_deg: float | None = None
-    sectors: tuple[Sector, ...] = ()
+    sectors: tuple[NoGoSector, ...] = ()
+    """In the dish's own degrees."""
     az_offset_deg: float = 0.0
     el_offset_deg: float = 0.0
     """Added to the angles in sentences and to `limit_deg`: whoever asked speaks true degrees."""
@@ -57,9 +42,9 @@ NO_DIRECTION = Reason.NO_DIRECTION
 class MotionGate:
     """Judges targets. Holds what is known of the position; unknown is refused."""
 
-    def __init__(self, model: Facts, bounds: Bounds | None = None) -> None:
+    def __init__(self, model: Facts, bounds: MotionBounds | None = None) -> None:
         self.model = model
-        self.bounds = bounds or Bounds()
+        self.bounds = bounds or MotionBounds()
         self.position: Position | None = None
         self.unknown_reason = Reason.UNREAD
         self.cable_deg: float | None = None
@@ -151,7 +136,7 @@ class MotionGate:
         """
         self.check_limits(az_deg, el_deg)
         for sector in self.bounds.sectors:
-            if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
+            if el_deg < sector.el_below_deg and sector.overlaps(az_deg, 0.0):
                 raise self._in_the_way(sector, az_deg, el_deg, el_deg)
 
     def check_skew(self, deg: float) -> None:
@@ -341,7 +326,7 @@ class MotionGate:
             return  # straight up is the way out of a sector
         way = self.way_to(az_deg)
         for sector in self.bounds.sectors:
-            if lowest >= sector.below_el_deg:
+            if lowest >= sector.el_below_deg:
                 continue
             if sector.overlaps(start.azimuth, way.deg):
                 raise self._in_the_way(sector, az_deg, el_deg, lowest)
@@ -354,23 +339,23 @@ class MotionGate:
         for sector in self.bounds.sectors:
             within = [
                 point.elevation for point in points
-                if point.elevation < sector.below_el_deg and sector.overlaps(point.azimuth, 0.0)
+                if point.elevation < sector.el_below_deg and sector.overlaps(point.azimuth, 0.0)
             ]  # fmt: skip
             if within:
                 raise self._in_the_way(sector, az_deg, el_deg, min(within))
 
     def _in_the_way(
-        self, sector: Sector, az_deg: float, el_deg: float, lowest_deg: float, *, round_about: bool = False
+        self, sector: NoGoSector, az_deg: float, el_deg: float, lowest_deg: float, *, round_about: bool = False
     ) -> MotionRefused:
         plus = self.bounds.el_offset_deg
-        below, by = sector.below_el_deg + plus, sector.below_el_deg - lowest_deg
+        below, by = sector.el_below_deg + plus, sector.el_below_deg - lowest_deg
         where = (
-            f"the no-go sector from azimuth {self._true_az(sector.from_az_deg):.0f}° to "
-            f"{self._true_az(sector.to_az_deg):.0f}° below {below:.0f}°"
+            f"the no-go sector from azimuth {self._true_az(sector.az_from_deg):.0f}° to "
+            f"{self._true_az(sector.az_to_deg):.0f}° below {below:.0f}°"
             f"{f' ({sector.reason})' if sector.reason else ''}"
         )
         target = f"{self._true_az(az_deg):.2f}°/{el_deg + plus:.2f}°"
-        if el_deg < sector.below_el_deg and sector.overlaps(az_deg, 0.0):
+        if el_deg < sector.el_below_deg and sector.overlaps(az_deg, 0.0):
             sentence = f"{target} lies in {where}, {by:.2f}° too low. Nothing was sent."
         elif round_about:
             sentence = (

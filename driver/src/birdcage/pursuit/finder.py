@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import StoreError
+from birdcage.base.reason import Reason
 from birdcage.base.store import fingerprint
 from birdcage.pursuit.now import TargetMatch
 
@@ -93,7 +94,7 @@ class Finder:
         rows = list(resolver.find(typed, MOST))
         if meant.found is not None and meant.found not in rows:
             rows.insert(0, meant.found)
-        said = meant.problem if not rows or meant.why == "absent" else ""
+        said = meant.problem if not rows or meant.reason is Reason.ABSENT else ""
         return tuple(_of_candidate(each, now, observer) for each in rows[:MOST]), said
 
 

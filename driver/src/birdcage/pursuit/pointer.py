@@ -6,6 +6,7 @@ from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.pursuit.now import NO_PLACE, Located
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class Pointer:
             self._meant = self._finder.resolve(self.text)
         meant = self._meant
         if meant.found is None:
-            return Located(self.text, several=meant.why == "ambiguous", problem=brief(meant))
+            return Located(self.text, several=meant.reason is Reason.AMBIGUOUS, problem=brief(meant))
         name = meant.target.name
         if observer is None:
             return Located(self.text, name, meant.exact, problem=NO_PLACE)

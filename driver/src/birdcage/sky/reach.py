@@ -14,7 +14,7 @@ from datetime import UTC, datetime
 import numpy as np
 
 from birdcage.sky.passes.model import Pass
-from birdcage.sky.reach_cable import Bools, Run, runs_of
+from birdcage.sky.reach_cable import Bools, SampleRun, runs_of
 from birdcage.sky.reach_checks import CABLE, Floats, LimitCheck, SampledTrack, SkyPath, cable_check, checks_of, crossing
 from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.reach_model import LossCause, LossReason, Lost, PassReach, Stretch
@@ -84,7 +84,7 @@ class _Work:
     def _utc(self, after_s: float) -> datetime:
         return datetime.fromtimestamp(self._path.begin + after_s, UTC)
 
-    def _stretches(self, run: Run) -> Iterator[_Span]:
+    def _stretches(self, run: SampleRun) -> Iterator[_Span]:
         """Yield the stretches of one run, with their edges where a limit is crossed."""
         path, cable = self._path, self._limits.cable
         checks, failing = self._checks, self._failing

@@ -11,7 +11,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from birdcage.sky.reach_limits import Horizon, NoGo, ReachLimits
+from birdcage.base.no_go import NoGoSector
+from birdcage.sky.reach_limits import Horizon, ReachLimits
 from birdcage.sky.reach_model import LossCause, LossReason
 
 Floats = NDArray[np.float64]
@@ -147,8 +148,8 @@ def _mask_table(mask: Horizon) -> tuple[Floats, Floats]:
     return azimuths, np.array([mask.at(az % 360.0) for az in azimuths.tolist()])
 
 
-def _sector_check(sector: NoGo) -> LimitCheck:
-    half = (sector.az_to_deg - sector.az_from_deg) % 360.0 / 2.0
+def _sector_check(sector: NoGoSector) -> LimitCheck:
+    half = sector.width_deg / 2.0
     middle, below = sector.az_from_deg + half, sector.el_below_deg
 
     def of_samples(az: Floats, el: Floats) -> Floats:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol
 
+from birdcage.base.no_go import NoGoSector
+
 DEFAULT_TOLERANCE_DEG = 1.0
 """How far a dish may lag behind a satellite near the zenith, where no beam width is known."""
 
@@ -19,18 +21,6 @@ class Horizon(Protocol):
 
 
 @dataclass(frozen=True, slots=True)
-class NoGo:
-    """Where something stands in the way of the dish, in true degrees."""
-
-    az_from_deg: float
-    az_to_deg: float
-    """Clockwise from `az_from_deg`."""
-    el_below_deg: float
-    reason: str = ""
-    """What stands there: `mast`."""
-
-
-@dataclass(frozen=True, slots=True)
 class ReachLimits:
     """The limits of one dish at one place. The defaults limit nothing but to what is above the horizon."""
 
@@ -39,7 +29,7 @@ class ReachLimits:
     el_ceiling_deg: float = 90.0
     """True."""
     horizon: Horizon | None = None
-    no_go: tuple[NoGo, ...] = ()
+    no_go: tuple[NoGoSector, ...] = ()
     cable_min_deg: float | None = None
     """How far the cable lets the azimuth turn, in the dish's own frame; None if nothing winds up."""
     cable_max_deg: float | None = None

@@ -12,9 +12,9 @@ from types import MappingProxyType
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.reckoning import ToldPosition
 from birdcage.antenna.rest import STILL_DEG
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.errors import CommandRefused, OutOfRange, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
+from birdcage.base.no_go import NoGoSector
 from birdcage.base.reason import Reason
 from birdcage.rotator import values
 from birdcage.rotator.facts import CableTurn, Facts, SearchSwitch

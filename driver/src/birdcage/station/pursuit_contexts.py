@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from birdcage.station.requests import Pursue
     from birdcage.tracking.controller_input import Controller
     from birdcage.tracking.plan import Plan
-    from birdcage.tracking.planning.bounds import Bounds
+    from birdcage.tracking.planning.bounds import PlanBounds
     from birdcage.tracking.pursuit_context import PursuitContext, StageNotice
 
 
@@ -66,8 +66,8 @@ def controller_that_suits(options: PursuitOptions, antenna: BirdcageAntenna) -> 
         return controller_for(antenna.model)
 
 
-def _bounds(store: StateStore) -> Bounds:
+def _bounds(store: StateStore) -> PlanBounds:
     from birdcage.station.mounting import mount_of
-    from birdcage.tracking.planning.bounds import Bounds
+    from birdcage.tracking.planning.bounds import PlanBounds
 
-    return Bounds.of(mount_of(store.state, Settings()))  # whose horizon mask keeps the dish from nothing
+    return PlanBounds.of(mount_of(store.state, Settings()))  # whose horizon mask keeps the dish from nothing

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from birdcage.base.beam import Beam, beam_of
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.sky.horizon import HorizonMask
-from birdcage.sky.reach_limits import DEFAULT_TOLERANCE_DEG, NoGo, ReachLimits
+from birdcage.sky.reach_limits import DEFAULT_TOLERANCE_DEG, ReachLimits
 from birdcage.station.settings import rules_from
 
 if TYPE_CHECKING:
@@ -43,7 +42,7 @@ def reach_limits(settings: Settings, model: Facts | None, *, turn_known: bool = 
         el_floor_deg=max(0.0, 0.0 if floor is None else floor + plus),
         el_ceiling_deg=min(90.0, 90.0 if ceiling is None else ceiling + plus),
         horizon=_horizon(settings),
-        no_go=_no_go(rules.sectors),
+        no_go=rules.sectors,
         cable_min_deg=low if high is not None else None,
         cable_max_deg=high if low is not None else None,
         az_offset_deg=rules.alignment.az_offset_deg,
@@ -65,7 +64,7 @@ def reach_limits_of(state: StationState, settings: Settings) -> ReachLimits:
         el_floor_deg=max(0.0, state.el_min_deg if state.el_min_deg is not None else 0.0),
         el_ceiling_deg=min(90.0, state.el_max_deg if state.el_max_deg is not None else 90.0),
         horizon=_horizon(settings),
-        no_go=_no_go(state.no_go_sectors),
+        no_go=state.no_go_sectors,
         cable_min_deg=low,
         cable_max_deg=high,
         az_offset_deg=state.az_offset_deg,
@@ -96,7 +95,3 @@ def _tolerance(beam: Beam | None) -> float:
 def _horizon(settings: Settings) -> HorizonMask | None:
     mask = HorizonMask(settings.place.horizon)
     return mask if mask.is_line else None
-
-
-def _no_go(sectors: Iterable[tuple[float, float, float] | tuple[float, float, float, str]]) -> tuple[NoGo, ...]:
-    return tuple(NoGo(*sector) for sector in sectors)

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import FeedProfile, Settings
-from birdcage.base.config.sections import NoGoSector
+from birdcage.base.no_go import NoGoSector
 from birdcage.link.link import Link
 from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper

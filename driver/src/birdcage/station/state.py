@@ -12,8 +12,8 @@ from typing import TypedDict
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.gate import UNTOLD
 from birdcage.base.beam import Beam
-from birdcage.base.config.sections import NoGoSector
 from birdcage.base.held import HeldNote, HeldReason
+from birdcage.base.no_go import NoGoSector
 from birdcage.base.reason import Reason
 from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.feature import Reading

@@ -12,7 +12,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller_input import LEAD_S, Controller, ControllerInput
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Plan, PlanLeg
-from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.bounds import PlanBounds
 from birdcage.tracking.steering.motor_course import course_of_motors
 
 
@@ -48,7 +48,7 @@ class PursuitContext:
     controller: Controller
     model: Callable[[], Facts]
     """With the speeds in force at that moment."""
-    bounds: Callable[[], Bounds]
+    bounds: Callable[[], PlanBounds]
     """Of elevation and cable, and no-go sectors, at that moment."""
     tell: Callable[[StageNotice], None]
     asked: bool

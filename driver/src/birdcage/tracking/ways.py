@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.rotator.facts import Facts
-from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.bounds import PlanBounds
 from birdcage.tracking.planning.routes import Point, route
 
 MARGIN_S = 0.5
@@ -21,7 +21,7 @@ class WaypointRoute:
     seconds: float
 
 
-def way(bounds: Bounds, model: Facts, here: Point, to: Point, *, turn_known: bool) -> WaypointRoute:
+def way(bounds: PlanBounds, model: Facts, here: Point, to: Point, *, turn_known: bool) -> WaypointRoute:
     """Return the way, in the turns of `to`; azimuth goes the short way unless the turn of the cable is known.
 
     `turn_known`: whether the turns of `to` tell that of the cable; it counts while the dish still knows its own.

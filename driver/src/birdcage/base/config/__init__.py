@@ -12,12 +12,12 @@ from birdcage.base.config.sections import (
     HorizonPoint,
     LinkSettings,
     MotionSettings,
-    NoGoSector,
     PlaceSettings,
 )
 from birdcage.base.config.settings import Problem, Settings
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
+from birdcage.base.no_go import NoGoSector
 
 __all__ = [
     "STOCK_FEED",

@@ -18,11 +18,11 @@ from birdcage.base.config.sections import (
     DishSettings,
     LinkSettings,
     MotionSettings,
-    NoGoSector,
     PlaceSettings,
 )
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
+from birdcage.base.no_go import NoGoSector
 
 SECTIONS: tuple[type[Section], ...] = (
     DishSettings,

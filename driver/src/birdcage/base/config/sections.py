@@ -7,17 +7,7 @@ from dataclasses import dataclass
 from typing import ClassVar, Literal, NamedTuple
 
 from birdcage.base.config.field import Complaint, Section, setting
-
-
-class NoGoSector(NamedTuple):
-    """A part of the sky where something stands in the way of the dish. True degrees."""
-
-    az_from_deg: float
-    az_to_deg: float
-    """Clockwise from `az_from_deg`; the sector may contain north."""
-    el_below_deg: float
-    reason: str = ""
-    """What stands there: `mast`. Said where a motion is refused."""
+from birdcage.base.no_go import NoGoSector
 
 
 class HorizonPoint(NamedTuple):

@@ -7,7 +7,8 @@ import math
 from collections.abc import Iterable
 
 from birdcage.base.config.schema import KeyRow
-from birdcage.base.config.sections import HorizonPoint, NoGoSector
+from birdcage.base.config.sections import HorizonPoint
+from birdcage.base.no_go import NoGoSector
 
 
 class BadValue(ValueError):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
+from birdcage.base.reason import Reason
 from birdcage.sky.targets.names import NamedSender, plain
 from birdcage.sky.targets.resolution import Resolution, Searchable, TargetCandidate
 
@@ -23,14 +24,14 @@ HIGHEST_LONGITUDE = 180
 def unknown(typed: str, names: Iterable[str]) -> Resolution:
     """Nothing is called that, nor has it in its name: offer what is spelt alike."""
     if not typed:
-        return Resolution(typed, why="unknown", problem=f"No target was named. {UNDERSTOOD}")
+        return Resolution(typed, reason=Reason.UNKNOWN, problem=f"No target was named. {UNDERSTOOD}")
     spelt = {plain(name): name for name in names}
     alike = [spelt[each] for each in get_close_matches(plain(typed), spelt, 3, ALIKE)]
     if alike:
         problem = f"No target is called {typed!r}. Did you mean {_or(alike)}?"
     else:
         problem = f"No target is called {typed!r}. {UNDERSTOOD}"
-    return Resolution(typed, why="unknown", problem=problem)
+    return Resolution(typed, reason=Reason.UNKNOWN, problem=problem)
 
 
 def ambiguous(typed: str, found: Sequence[TargetCandidate]) -> Resolution:
@@ -38,7 +39,7 @@ def ambiguous(typed: str, found: Sequence[TargetCandidate]) -> Resolution:
     more = f" and {len(found) - TOLD} more" if len(found) > TOLD else ""
     names = ", ".join(each.words for each in found[:TOLD])
     problem = f"{typed!r} fits several: {names}{more}. Type the whole name or the number."
-    return Resolution(typed, why="ambiguous", problem=problem, candidates=tuple(found))
+    return Resolution(typed, reason=Reason.AMBIGUOUS, problem=problem, candidates=tuple(found))
 
 
 def only_silent(typed: str, found: TargetCandidate) -> Resolution:
@@ -48,7 +49,7 @@ def only_silent(typed: str, found: TargetCandidate) -> Resolution:
         f"Only {found.target.name} has {typed!r} in its name. {found.silence.words(found.target.name)} "
         f"Type {found.text} to choose it all the same."
     )
-    return Resolution(typed, why="silent", problem=problem, candidates=(found,))
+    return Resolution(typed, reason=Reason.SILENT, problem=problem, candidates=(found,))
 
 
 def absent(typed: str, sender: NamedSender, shelf: Searchable | None) -> Resolution:
@@ -58,7 +59,7 @@ def absent(typed: str, sender: NamedSender, shelf: Searchable | None) -> Resolut
     problem = f"{name}{number} is {_not_among(shelf)}. {UPDATE}"
     if sender.silence is not None:
         problem = f"{sender.silence.words(sender.name)} It is {_not_among(shelf)}. Run `birdcage elements update`."
-    return Resolution(typed, why="absent", problem=problem)
+    return Resolution(typed, reason=Reason.ABSENT, problem=problem)
 
 
 def unnumbered(typed: str, alike: Sequence[TargetCandidate], shelf: Searchable | None) -> Resolution:
@@ -68,7 +69,7 @@ def unnumbered(typed: str, alike: Sequence[TargetCandidate], shelf: Searchable |
         problem = f"{problem} For a place on the arc type {typed}E or {typed}W, for a direction {typed} 45."
     if alike:
         problem = f"{problem} Near: {', '.join(each.words for each in alike[:3])}."
-    return Resolution(typed, why="absent", problem=problem, candidates=tuple(alike))
+    return Resolution(typed, reason=Reason.ABSENT, problem=problem, candidates=tuple(alike))
 
 
 def _not_among(shelf: Searchable | None) -> str:

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Protocol
 
 from birdcage.base.errors import BirdcageError
 from birdcage.base.reason import Reason
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.targets.model import SlotTarget, Target
 from birdcage.sky.targets.names import OffAir
-
-Why = Literal["found", "unknown", "absent", "ambiguous", "silent", "angle"]
 
 
 class UnknownTarget(BirdcageError):
@@ -77,7 +75,8 @@ class Resolution:
     """What is meant: it alone bears the name, or it is clearly preferred."""
     exact: bool = False
     """Whether that is by its whole name, its number or numbers typed, and not by a part of a name."""
-    why: Why = "found"
+    reason: Reason | None = None
+    """None if something is found; else `UNKNOWN`, `ABSENT`, `AMBIGUOUS`, `SILENT` or `ANGLE`."""
     problem: str = ""
     """Why nothing is found, and what to type or do; empty if something is."""
     candidates: tuple[TargetCandidate, ...] = ()
@@ -103,5 +102,5 @@ class Resolution:
     def target(self) -> Target:
         """What is meant. UnknownTarget where nothing is found."""
         if self.found is None:
-            raise UnknownTarget(self.problem, reason=Reason(self.why))
+            raise UnknownTarget(self.problem, reason=self.reason)
         return self.found.target

@@ -7,6 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from functools import lru_cache
 
+from birdcage.base.reason import Reason
 from birdcage.sky.ahead import is_ahead
 from birdcage.sky.downlinks import Downlink
 from birdcage.sky.downlinks_read import shipped
@@ -56,7 +57,7 @@ class Resolver:
             try:
                 form = read_form(typed)
             except ValueError as error:
-                return Resolution(typed, why="angle", problem=str(error))
+                return Resolution(typed, reason=Reason.ANGLE, problem=str(error))
             if form is not None:
                 return Resolution(typed, TargetCandidate(form, typed), exact=True)
         exact = self._exactly(typed)

@@ -24,7 +24,7 @@ _HAIR_DEG = 1e-6
 
 @dataclass(frozen=True, slots=True)
 class Keepout:
-    """A no-go sector in the dish's own degrees, with the margin."""
+    """What a plan keeps off, in the dish's own degrees: a no-go sector with the margin, or a border."""
 
     middle_deg: float
     half_deg: float
@@ -46,7 +46,7 @@ class Keepout:
 
 
 @dataclass(frozen=True, slots=True)
-class Bounds:
+class PlanBounds:
     """The limits of one mount."""
 
     low_el_deg: float
@@ -60,7 +60,7 @@ class Bounds:
     below the highest of them."""
 
     @classmethod
-    def of(cls, mount: Mount) -> Bounds:
+    def of(cls, mount: Mount) -> PlanBounds:
         """Take the limits of a mount."""
         elevation, limits = mount.model.elevation, mount.limits
         low = elevation.min_deg if mount.el_min_deg is None else mount.el_min_deg
@@ -93,12 +93,12 @@ def _keepouts(mount: Mount) -> tuple[Keepout, ...]:
     found = []
     for one in mount.limits.no_go:
         sector = mount.alignment.sector_to_dish(one.az_from_deg, one.az_to_deg, one.el_below_deg)
-        half = (sector.to_az_deg - sector.from_az_deg) % 360.0 / 2.0
+        half = sector.width_deg / 2.0
         found.append(
             Keepout(
-                (sector.from_az_deg + half) % 360.0,
+                (sector.az_from_deg + half) % 360.0,
                 min(half + SECTOR_MARGIN_DEG, 180.0),
-                sector.below_el_deg + SECTOR_MARGIN_DEG,
+                sector.el_below_deg + SECTOR_MARGIN_DEG,
             )
         )
     return tuple(found)

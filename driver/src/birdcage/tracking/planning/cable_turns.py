@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from birdcage.sky.reach_cable import most_followed
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Standing
 from birdcage.tracking.move_times import durations
@@ -34,7 +35,7 @@ _SWITCH_S = 10.0
 
 
 @dataclass(frozen=True, slots=True)
-class Run:
+class CableRun:
     """A time during which the cable keeps its turn."""
 
     start_s: float
@@ -42,7 +43,7 @@ class Run:
     turn: int
 
 
-def runs(track: TargetTrack, spans: Spans, standing: Standing | None, later: Sequence[Curve] = ()) -> list[Run]:
+def runs(track: TargetTrack, spans: Spans, standing: Standing | None, later: Sequence[Curve] = ()) -> list[CableRun]:
     """Return the runs that follow `spans`: one wherever a turn fits all of it, else as few as lose the least.
 
     A mount without a cable, or with one of unknown turn, has one run, which begins nearest to where the dish stands.
@@ -54,7 +55,7 @@ def runs(track: TargetTrack, spans: Spans, standing: Standing | None, later: Seq
     if cable is None or not track.bounds.turn_known:
         az = track.at(begin, 0)[0]
         near = az % 360.0 if standing is None else standing.az_deg + (az - standing.az_deg + 180.0) % 360.0 - 180.0
-        return [Run(begin, end, round((near - az) / 360.0))]
+        return [CableRun(begin, end, round((near - az) / 360.0))]
     t = track.sky.t_s
     wanted = _within(t, spans)
     dish = np.concatenate([track.az_deg[wanted], [track.at(edge, 0)[0] for span in spans for edge in span]])
@@ -63,7 +64,7 @@ def runs(track: TargetTrack, spans: Spans, standing: Standing | None, later: Seq
     whole = [turn for turn in turns if cable[0] <= low + 360.0 * turn and high + 360.0 * turn <= cable[1]]
     if whole:
         chosen = min(whole, key=lambda turn: _cost_s(track, spans, turn, standing, later))
-        return [Run(begin, end, chosen)]
+        return [CableRun(begin, end, chosen)]
     return _most(track, spans, list(turns)) if turns else []
 
 
@@ -122,8 +123,11 @@ def _rewind_s(track: TargetTrack, az: Floats, el: Floats, turns: int) -> Floats:
     return seconds
 
 
-def _most(track: TargetTrack, spans: Spans, turns: list[int]) -> list[Run]:
-    """Return the runs that follow for the longest time, a second overhead counting for more than a low one."""
+def _most(track: TargetTrack, spans: Spans, turns: list[int]) -> list[CableRun]:
+    """Return the runs that follow what is worth the most, by the recurrence of `most_followed`.
+
+    What a second is worth: w = 1 + 0.3 sin(elevation), times 0.3 in the keyhole, times 0.1 behind the horizon mask.
+    """
     begin, end = spans[0][0], spans[-1][1]
     t = np.linspace(begin, end, min(_SAMPLES, max(60, int(end - begin))))
     az, el = (np.interp(t, track.sky.t_s, values) for values in (track.az_deg, track.pointed_el_deg))
@@ -136,27 +140,14 @@ def _most(track: TargetTrack, spans: Spans, turns: list[int]) -> list[Run]:
     for turn in turns:
         good = wanted & (az + 360.0 * turn >= cable[0]) & (az + 360.0 * turn <= cable[1])
         gains.append(np.where(good[1:] & good[:-1], worth, 0.0).tolist())
-    back: dict[int, list[int]] = {}
+    back: dict[int, Sequence[int]] = {}
     for turns_on in range(1 - len(turns), len(turns)):
         if turns_on:
             in_time = t[:, None] + _rewind_s(track, az, el, turns_on) <= t[None, :]
             latest = len(t) - 1 - np.argmax(in_time[::-1], axis=0)
             back[turns_on] = np.where(in_time.any(axis=0), latest, -1).tolist()
-    best = [[0.0] * len(t) for _ in turns]
-    came: list[list[int | None]] = [[None] * len(t) for _ in turns]
-    for i in range(1, len(t)):
-        for one in range(len(turns)):
-            value, origin = best[one][i - 1] + gains[one][i - 1], None
-            for other in range(len(turns)):
-                j = -1 if other == one else back[one - other][i]
-                if j >= 0 and best[other][j] - _SWITCH_S > value:
-                    value, origin = best[other][j] - _SWITCH_S, other
-            best[one][i], came[one][i] = value, origin
-    found: list[Run] = []
-    one, last = max(range(len(turns)), key=lambda each: best[each][-1]), len(t) - 1
-    for i in range(len(t) - 1, 0, -1):
-        if i <= last and (origin := came[one][i]) is not None:
-            found.append(Run(float(t[i]), float(t[last]), turns[one]))
-            last, one = back[one - origin][i], origin
-    found.append(Run(begin, float(t[last]), turns[one]))
-    return [run for run in reversed(found) if run.end_s > run.start_s]
+    found = [
+        CableRun(float(t[first]), float(t[last]), turns[index])
+        for first, last, index in most_followed(gains, back, _SWITCH_S, late=False)
+    ]
+    return [run for run in found if run.end_s > run.start_s]

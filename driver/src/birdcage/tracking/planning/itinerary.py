@@ -9,7 +9,7 @@ import numpy as np
 
 from birdcage.sky.reach_model import LossReason
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.planning.cable_turns import Run, runs
+from birdcage.tracking.planning.cable_turns import CableRun, runs
 from birdcage.tracking.planning.routes import Route, route
 from birdcage.tracking.planning.target_track import TargetTrack
 
@@ -84,7 +84,7 @@ def itinerary(track: TargetTrack, now_s: float, later: Sequence[Curve] = ()) -> 
     return Itinerary(tuple(found), tuple(sorted(cuts)))
 
 
-def _pieces(track: TargetTrack, spans: Sequence[tuple[float, float]], taken: Sequence[Run]) -> list[TrackSegment]:
+def _pieces(track: TargetTrack, spans: Sequence[tuple[float, float]], taken: Sequence[CableRun]) -> list[TrackSegment]:
     """Return the spans, cut where the turn changes and where the cable does not let the dish follow.
 
     After a rewind a span may begin as soon as the run before has ended: how long the rewind takes is seen to later.

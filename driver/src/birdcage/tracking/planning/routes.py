@@ -10,7 +10,7 @@ import numpy as np
 from birdcage.antenna.motion import plan_axis
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Floats
-from birdcage.tracking.planning.bounds import Bounds
+from birdcage.tracking.planning.bounds import PlanBounds
 
 HOP_DEG = 170.0
 """The longest turn between two stops: under half a turn, by more than a dish may lag behind where it was planned."""
@@ -38,7 +38,7 @@ class Route:
         return SLOW * self.seconds + STOP_S * len(self.stops)
 
 
-def route(bounds: Bounds, model: Facts, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
+def route(bounds: PlanBounds, model: Facts, start: Point, end: Point, *, either_way: bool = False) -> Route | None:
     """Return the way of a dish that rests, azimuths unrolled; None if a no-go sector closes it.
 
     Up first, across, then down where a no-go sector stands between. `either_way`: the dish may turn the other way

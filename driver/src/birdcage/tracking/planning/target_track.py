@@ -9,12 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.no_go import NoGoSector
 from birdcage.sky.reach import reach
-from birdcage.sky.reach_limits import NoGo, ReachLimits
+from birdcage.sky.reach_limits import ReachLimits
 from birdcage.sky.reach_model import LossReason, PassReach
 from birdcage.tracking.curve import Curve, Floats
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.planning.bounds import SECTOR_MARGIN_DEG, Bounds
+from birdcage.tracking.planning.bounds import SECTOR_MARGIN_DEG, PlanBounds
 
 _DENSE = 4000
 """Points for which the alignment is asked one by one; of a longer path every so many, and a line between them."""
@@ -36,7 +37,7 @@ class TargetTrack:
 
     sky: Curve
     mount: Mount
-    bounds: Bounds
+    bounds: PlanBounds
     dish: Curve
     """The target in the dish's own degrees, at turn 0, wherever that is; at the times of `sky`."""
     low_deg: Floats
@@ -46,7 +47,7 @@ class TargetTrack:
     @classmethod
     def of(cls, sky: Curve, mount: Mount) -> TargetTrack:
         """Look at a path in the sky with a mount."""
-        bounds, limits = Bounds.of(mount), mount.limits
+        bounds, limits = PlanBounds.of(mount), mount.limits
         az, el = _to_dish(sky, mount)
         shift = el - sky.el_deg
         low = np.clip(limits.el_floor_deg + shift, bounds.low_el_deg, bounds.high_el_deg)
@@ -159,12 +160,12 @@ def _uncabled(limits: ReachLimits) -> ReachLimits:
     return replace(limits, cable_min_deg=None, cable_max_deg=None) if limits.turn_known else limits
 
 
-def _wider(sector: NoGo) -> NoGo:
+def _wider(sector: NoGoSector) -> NoGoSector:
     by = SECTOR_MARGIN_DEG
-    if (sector.az_to_deg - sector.az_from_deg) % 360.0 + 2.0 * by >= 360.0:
-        return replace(sector, el_below_deg=sector.el_below_deg + by)
-    return replace(sector, az_from_deg=sector.az_from_deg - by, az_to_deg=sector.az_to_deg + by,
-        el_below_deg=sector.el_below_deg + by)  # fmt: skip
+    higher = sector._replace(el_below_deg=sector.el_below_deg + by)
+    if sector.width_deg + 2.0 * by >= 360.0:
+        return higher
+    return higher._replace(az_from_deg=sector.az_from_deg - by, az_to_deg=sector.az_to_deg + by)
 
 
 def _joined(spans: list[tuple[datetime, datetime]]) -> list[tuple[float, float]]:
