@@ -74,7 +74,7 @@ def test_a_step_of_the_clock_leaves_no_position(seconds, when):
         bench.step(90)
     bench.clock.step_utc(seconds)
     bench.step(60)
-    assert "clock step" in bench.state.held.reason
+    assert "clock step" in bench.state.held.detail
     assert (bench.state.position, bench.state.position_lost) == (None, "untold")
     assert bench.state.activity is Activity.IDLE
     if future is not None:
