@@ -17,6 +17,7 @@
       Superseded         a newer target replaced this one
       Stopped            STOP or a loss of the link ended it
       Cancelled          the person who asked took it back
+      BadMessage         what another program sent is not in the JSON form of requests and events
       WrongThread        a dish that a station owns was called from another thread
 
 Each carries `reason`, a word that a program can test, and a sentence for a person: what happened, what it means for
@@ -157,6 +158,12 @@ class Cancelled(BirdcageError):
     """The person who asked for it took it back."""
 
     reason = Reason.CANCELLED
+
+
+class BadMessage(BirdcageError):
+    """JSON that is no request, event or answer of ours; the message names the field, and what belongs there."""
+
+    reason = Reason.BAD_MESSAGE
 
 
 class WrongThread(BirdcageError):

@@ -210,5 +210,11 @@ class Reason(StrEnum):
     REFUSED = "refused"
     """The receiver does not do what it was asked."""
 
+    # another birdcage program
+    BAD_MESSAGE = "bad_message"
+    """What it sent is not in the JSON form that was agreed on."""
+    WRONG_TOKEN = "wrong_token"  # noqa: S105 - a reason, and no secret
+    """It does not have this program's token."""
+
     ERROR = "error"
     """Nothing more is known of it."""

@@ -184,9 +184,9 @@ class Motion:
     az_way_deg: float | None = None
     """How far the azimuth turns from `from_az_deg`, clockwise positive; None while which way round is not known."""
     eta_known: bool = True
+    """Whether the speeds of what moves are known."""
     stop_proven: bool = False
     """Whether a source, or a STOP of this dish in motion, has shown that `stop_means` works."""
-    """Whether the speeds of what moves are known."""
 
 
 @dataclass(frozen=True, slots=True)
