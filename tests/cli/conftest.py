@@ -97,6 +97,7 @@ def owner(pty_dish):
         port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
     )
     control_server = ControlServer(session.station, owners_folder(paths))
+    session.control_server = control_server
     session.start()
     # Other programs find it once it is announced, a little after the link is up.
     pty_dish.wait_for(

@@ -14,6 +14,7 @@ from birdcage.protocol.menu_rotator import MenuRotator
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.rotator.feature import Feature, FeatureKind, Reading, Writer
 from birdcage.station import control_client
+from birdcage.station.requests import Set
 
 
 @pytest.fixture(autouse=True)
@@ -173,9 +174,9 @@ def test_a_program_that_has_not_met_its_dish_lists_nothing(run, pty_dish, owner)
 def test_who_is_interrupted_is_not_told_that_nothing_was_done(run, pty_dish, owner, monkeypatch):
     asked = control_client.call_owner
 
-    def interrupted(owner, do, by, **more):
-        told = asked(owner, do, by, **more)
-        if do == "set":
+    def interrupted(owner, request, by):
+        told = asked(owner, request, by)
+        if isinstance(request, Set):
             raise KeyboardInterrupt
         return told
 

@@ -98,3 +98,10 @@ def test_the_tables_of_keys_are_the_apps_own() -> None:
     check = [sys.executable, "scripts/key_tables.py", "--check"]
     done = subprocess.run(check, capture_output=True, text=True, cwd=ROOT, timeout=60, check=False)
     assert done.returncode == 0, done.stderr
+
+
+def test_the_page_of_events_is_what_events_and_requests_are() -> None:
+    """`scripts/event_tables.py` writes it."""
+    check = [sys.executable, "scripts/event_tables.py", "--check"]
+    done = subprocess.run(check, capture_output=True, text=True, cwd=ROOT, timeout=60, check=False)
+    assert done.returncode == 0, done.stderr

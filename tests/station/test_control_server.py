@@ -7,43 +7,20 @@ import json
 import os
 import re
 import socket
-from concurrent.futures import Future
+import threading
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import replace
 
 import pytest
-from birdcage.base.clock import VirtualClock
-from birdcage.base.errors import CommandRefused
-from birdcage.station import control_server
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.station import control_caller
 from birdcage.station.control_client import OwnerGone, call_owner, find_owner, find_owners, owner_file
+from birdcage.station.control_messages import ControlCall, TellStatus, as_line, call_to_json
 from birdcage.station.control_server import ControlServer
-from birdcage.station.events import LinkChanged, StopConfirmed
-from birdcage.station.state import LinkPhase, LinkState, StationState, StopReport
-from birdcage.station.state_store import StateStore
+from birdcage.station.requests import Goto, Read, Set, Stop, Watch
+from birdcage.station.state import LinkPhase
 
-
-class Owner:
-    """A station as far as a control server sees one: it confirms each STOP at once."""
-
-    def __init__(self, port: str, asked: str | None = None) -> None:
-        self.clock = VirtualClock()
-        self.board = StateStore(self.clock, StationState(port=port))
-        self.asked_port = asked or port
-        self.stops: list[str] = []
-        self.subscribe, self.warn = self.board.subscribe, self.board.warn
-
-    @property
-    def state(self) -> StationState:
-        return self.board.state
-
-    def stop(self, by: str) -> None:
-        self.stops.append(by)
-        report = StopReport(by, self.clock.monotonic(), "retarget", True, "Stands still.")
-        self.board.change(last_stop=report)
-        self.board.tell(StopConfirmed(*self.board.stamp(), report))
-
-    def link(self, state: LinkPhase, **fields) -> None:
-        self.board.change(link=LinkState(state), **fields)
-        self.board.tell(LinkChanged(*self.board.stamp(), self.state.link))
+from .owner_stand_in import OwnerStandIn
 
 
 @pytest.fixture
@@ -55,10 +32,10 @@ def folder(tmp_path):
 def owner(tmp_path, folder):
     port = tmp_path / "port"
     port.touch()
-    owner = Owner(str(port))
-    owner.bell = ControlServer(owner, folder)
+    owner = OwnerStandIn(str(port))
+    owner.server = ControlServer(owner, folder)
     yield owner
-    owner.bell.close()
+    owner.server.close()
 
 
 def test_it_is_announced_once_the_port_is_really_ours(owner, folder) -> None:
@@ -74,14 +51,14 @@ def test_it_is_announced_once_the_port_is_really_ours(owner, folder) -> None:
 
 def test_stop_reaches_the_station_and_says_what_came_of_it(owner, folder) -> None:
     owner.link(LinkPhase.SILENT)
-    told = call_owner(find_owner(folder, owner.state.port), "stop", "birdcage stop")
+    told = call_owner(find_owner(folder, owner.state.port), Stop("birdcage stop"), "birdcage stop")
     assert owner.stops == ["birdcage stop"]
     assert told == {"by": "birdcage stop", "means": "retarget", "confirmed": True, "sentence": "Stands still."}
 
 
 def test_status_is_the_report(owner, folder) -> None:
     owner.link(LinkPhase.UP)
-    assert call_owner(find_owner(folder, owner.state.port), "status", "x")["connected"] is True
+    assert call_owner(find_owner(folder, owner.state.port), TellStatus(), "x")["connected"] is True
 
 
 @pytest.mark.parametrize("line", [
@@ -104,21 +81,98 @@ def test_a_caller_that_says_nothing_does_not_keep_a_stop_waiting(owner, folder) 
     owner.link(LinkPhase.UP)
     found = find_owner(folder, owner.state.port)
     with socket.create_connection(("127.0.0.1", found.tcp_port), 2):
-        call_owner(found, "stop", "you")
+        call_owner(found, Stop("you"), "you")
     assert owner.stops == ["you"]
 
 
-@pytest.mark.parametrize(("asked", "said"), [
-    ({"do": "sing"}, "can't do that: cannot do 'sing'"),
-    ({"do": "set", "value": None}, "can't do that: no value: None"),
-    ({"do": "get", "ids": ["x" * 5000]}, "ask for less"),
+@pytest.mark.parametrize(("request_", "said"), [
+    (Goto(180.0, 45.0, "you"), 'can\'t do that: "Goto" is no request here. There are Stop, HoldDish, Release,'),
+    (Watch("you", frozenset({"rssi"})), "can't do that: A watch lasts as long as its caller listens."),
+    (Read(("x" * 5000,)), "ask for less"),
 ])  # fmt: skip
-def test_what_a_living_owner_does_not_take_leaves_it_reachable_for_stop(owner, folder, asked, said) -> None:
+def test_what_a_living_owner_does_not_take_leaves_it_reachable_for_stop(owner, folder, request_, said) -> None:
     owner.link(LinkPhase.UP)
     with pytest.raises(CommandRefused, match=re.escape(said)):
-        call_owner(find_owner(folder, owner.state.port), **{"by": "you", **asked})
-    call_owner(find_owner(folder, owner.state.port), "stop", "you")
+        call_owner(find_owner(folder, owner.state.port), request_, "you")
+    call_owner(find_owner(folder, owner.state.port), Stop("you"), "you")
     assert owner.stops == ["you"]
+
+
+def say(found, told) -> dict[str, object]:
+    with socket.create_connection(("127.0.0.1", found.tcp_port), 2) as caller, caller.makefile("rb") as lines:
+        caller.sendall(told if isinstance(told, bytes) else as_line(told))
+        return json.loads(lines.readline())
+
+
+@pytest.mark.parametrize(("change", "said"), [
+    ({"v": 2}, "The line is in version 2, and this birdcage reads version 1."),
+    ({"v": None}, 'The line says no version. Give "v": 1.'),
+    ({"then": 1}, 'The line has no field "then". It has v, token, by, request, events.'),
+    ({"request": None}, "The request is null. Give an object."),
+    ({"request": {"v": 1, "type": "Read"}}, "Read lacks features."),
+    ({"events": 1}, '"events" is true or false.'),
+    ({"by": ["you"]}, '"by" is who asks, as text;'),
+])  # fmt: skip
+def test_a_line_that_is_wrong_is_told_what_belongs_there(owner, folder, change, said) -> None:
+    owner.link(LinkPhase.UP)
+    found = find_owner(folder, owner.state.port)
+    answer = say(found, call_to_json(found.token, ControlCall(Stop("you"), "you")) | change)
+    assert (answer["v"], answer["ok"], answer["error"]["kind"]) == (1, False, "BadMessage")
+    assert said in answer["error"]["sentence"]
+    assert owner.stops == []
+
+
+@pytest.mark.parametrize("token", ["wrong", "", None, 5, ["x"], "\u00fc\ud800", "x" * 2000])
+def test_a_wrong_token_of_any_kind_is_refused(owner, folder, token) -> None:
+    owner.link(LinkPhase.UP)
+    found = find_owner(folder, owner.state.port)
+    answer = say(found, call_to_json(found.token, ControlCall(Stop("you"), "you")) | {"token": token})
+    assert answer["error"]["reason"] == "wrong_token"
+    assert owner.stops == []
+
+
+def test_a_line_of_a_megabyte_is_told_that_it_is_too_long(owner, folder) -> None:
+    owner.link(LinkPhase.UP)
+    answer = say(find_owner(folder, owner.state.port), b"x" * 2**20 + b"\n")
+    assert answer["error"]["sentence"] == "The line is longer than 4096 bytes. Ask for less."
+
+
+def test_an_older_birdcage_reads_why_not(owner, folder) -> None:
+    owner.link(LinkPhase.UP)
+    found = find_owner(folder, owner.state.port)
+    answer = say(found, {"token": found.token, "do": "stop", "by": "birdcage stop"})
+    assert answer["ok"] is False
+    assert answer["error"] == 'The line says no version. Give "v": 1.'
+
+
+def test_an_older_owner_is_named_as_that(folder, tmp_path) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as older:
+        told = {"pid": 1, "tcp_port": older.getsockname()[1], "token": "t", "port": "/dev/x", "asked": "/dev/x"}
+        folder.mkdir()
+        owner_file(folder, "/dev/x").write_text(json.dumps(told))
+        found = find_owner(folder, "/dev/x")
+
+        def answer() -> None:
+            caller, _ = older.accept()
+            with caller:
+                caller.recv(4096)
+                caller.sendall(b'{"ok": false, "error": "cannot do None"}\n')
+
+        thread = threading.Thread(target=answer)
+        thread.start()
+        with pytest.raises(CommandRefused, match=r"can't do that: cannot do None\. Nothing was sent\. Is it an older"):
+            call_owner(found, Stop("you"), "you")
+        thread.join()
+    assert found.file.exists()
+
+
+def test_fifty_callers_at_once_all_have_their_answer(owner, folder) -> None:
+    owner.link(LinkPhase.UP)
+    found = find_owner(folder, owner.state.port)
+    with ThreadPoolExecutor(50) as callers:
+        told = list(callers.map(lambda number: call_owner(found, Stop(f"{number}"), "you")["confirmed"], range(50)))
+    assert told == [True] * 50
+    assert sorted(map(int, owner.stops)) == list(range(50))
 
 
 @pytest.mark.parametrize(
@@ -133,15 +187,15 @@ def test_who_waits_no_longer_is_told_whether_it_may_still_be_set(owner, folder, 
         return asked[-1]
 
     owner.submit = submit
-    monkeypatch.setattr(control_server, "FEATURE_S", 0.01)
+    monkeypatch.setattr(control_caller, "REQUEST_S", 0.01)
     owner.link(LinkPhase.UP)
-    told = call_owner(find_owner(folder, owner.state.port), "set", "you", id="lamp", value=5.0)
-    assert told["error"]["sentence"].endswith(said)
+    with pytest.raises(NoReply, match=re.escape(said) + "$"):
+        call_owner(find_owner(folder, owner.state.port), Set("lamp", 5.0, "you"), "you")
     assert asked[0].cancelled() is not begun
 
 
 def test_only_this_machine_is_listened_to(owner, folder) -> None:
-    assert owner.bell._listener.getsockname()[0] == "127.0.0.1"
+    assert owner.server._listener.getsockname()[0] == "127.0.0.1"
 
 
 def test_all_names_of_a_port_lead_to_its_owner(owner, folder, tmp_path) -> None:
@@ -171,13 +225,13 @@ def test_a_simulated_dish_is_never_announced(owner, folder) -> None:
 def test_what_a_dead_process_left_is_ignored_and_removed(owner, folder, tmp_path) -> None:
     owner.link(LinkPhase.UP)
     found = find_owner(folder, owner.state.port)
-    owner.bell.close()
+    owner.server.close()
     assert not found.file.exists()
     found.file.write_text(json.dumps({
         "pid": 1, "tcp_port": found.tcp_port, "token": found.token, "port": found.port, "asked": found.port,
     }))  # fmt: skip
     with pytest.raises(OwnerGone):
-        call_owner(find_owner(folder, found.port), "stop", "you")
+        call_owner(find_owner(folder, found.port), Stop("you"), "you")
     assert not found.file.exists()
 
 
@@ -186,7 +240,7 @@ def test_another_program_on_the_old_tcp_port_is_no_owner(owner, folder) -> None:
     found = find_owner(folder, owner.state.port)
     stale = replace(found, token="of an earlier owner")
     with pytest.raises(OwnerGone):
-        call_owner(stale, "stop", "you")
+        call_owner(stale, Stop("you"), "you")
     assert found.file.exists(), "the living owner's file is not the stale one's"
     assert owner.stops == []
 
@@ -200,14 +254,14 @@ def test_a_damaged_file_is_ignored(folder) -> None:
 
 def test_a_folder_that_cannot_be_written_is_told_in_the_app_until_it_can(tmp_path) -> None:
     (tmp_path / "file").write_text("")
-    owner = Owner("/dev/ttyUSB0")
-    bell = ControlServer(owner, tmp_path / "file" / "owners")
+    owner = OwnerStandIn("/dev/ttyUSB0")
+    server = ControlServer(owner, tmp_path / "file" / "owners")
     owner.link(LinkPhase.UP)
     assert "`birdcage stop` does not reach this program" in owner.state.warnings["outside"]
     (tmp_path / "file").unlink()
     owner.link(LinkPhase.UP)
     assert dict(owner.state.warnings) == {}
-    bell.close()
+    server.close()
 
 
 def test_closing_leaves_the_file_of_a_later_owner(owner, folder) -> None:
@@ -215,7 +269,7 @@ def test_closing_leaves_the_file_of_a_later_owner(owner, folder) -> None:
     later = ControlServer(owner, folder)
     owner.link(LinkPhase.UP)
     assert len(find_owners(folder)) == 1
-    first, second = owner.bell, later
+    first, second = owner.server, later
     text = find_owners(folder)[0].token
     assert text == second._token
     first.close()

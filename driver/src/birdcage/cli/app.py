@@ -25,6 +25,7 @@ COMMANDS = {
     "home": "Home the dish: run into the end stops to find the reference.",
     "setup": "Go from wires to the first satellite, step by step.",
     "status": "Print the state of the dish.",
+    "events": "Follow what happens to the dish in the program that drives it.",
     "detect": "Find out which firmware answers on the port, and how that shows.",
     "ports": "List the serial ports of this machine.",
     "wiring": "Print which wire goes where, and which adapters work.",

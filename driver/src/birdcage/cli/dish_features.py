@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -24,14 +24,16 @@ def list_features(dish: Wanted) -> dict[str, Any]:
     from birdcage.base.errors import ConfigError, NoReply
     from birdcage.cli.owners import ask_owner
     from birdcage.cli.which import with_firmware
+    from birdcage.station.control_messages import ListFeatures
     from birdcage.station.feature_report import feature_values
     from birdcage.station.known import list_firmwares
 
-    told = ask_owner(dish, "features", "birdcage features")
-    if told is not None and told["firmware"] is None:
-        raise NoReply(f"The program that has {told['port']} does not know yet which dish it is. Try again in a moment.")
-    if told is not None:
-        return {"port": told["port"], "firmware": told["firmware"], "features": told["features"]}
+    answer = ask_owner(dish, ListFeatures(), "birdcage features")
+    if answer is not None:
+        port, told = answer
+        if told["firmware"] is None:
+            raise NoReply(f"The program that has {port} does not know yet which dish it is. Try again in a moment.")
+        return {"port": port, "firmware": told["firmware"], "features": told["features"]}
     dish = with_firmware(dish, must_open=True)
     if not dish.firmware_given:
         raise ConfigError(f"Nothing answers at {dish.port}. Name the firmware with --firmware.")
@@ -43,25 +45,22 @@ def list_features(dish: Wanted) -> dict[str, Any]:
 
 def read_features(dish: Wanted, ids: tuple[str, ...]) -> dict[str, Any]:
     """Return readings by id, as `feature_report.reading_values`, with the port."""
-    from birdcage.cli.owners import ask_owner
     from birdcage.station.requests import Read
 
-    told = ask_owner(dish, "get", "birdcage get", ids=ids)
-    return told or _ask(dish, Read(ids), ids)
+    return _ask_owner(dish, Read(ids), ids, "birdcage get") or _ask(dish, Read(ids), ids)
 
 
 def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:
     """Set a feature, with a person's consent, and return what was read back, as `read_features`."""
     from birdcage.base.held import user_name
     from birdcage.cli.app import EndedBySignal
-    from birdcage.cli.owners import ask_owner
     from birdcage.station.feature_report import may_be_set
     from birdcage.station.requests import Set
 
     by = f"{user_name()} (birdcage set)"
     try:
-        told = ask_owner(dish, "set", by, id=feature, value=value, agreed=True)
-        return told or _ask(dish, Set(feature, value, by, agreed=True), (feature,))
+        request = Set(feature, value, by, agreed=True)
+        return _ask_owner(dish, request, (feature,), by) or _ask(dish, request, (feature,))
     except KeyboardInterrupt:
         ended = EndedBySignal(signal.SIGINT)
     except EndedBySignal as signalled:
@@ -70,19 +69,39 @@ def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[s
     raise ended
 
 
+def _ask_owner(dish: Wanted, request: Read | Set, ids: tuple[str, ...], by: str) -> dict[str, Any] | None:
+    from birdcage.cli.owners import ask_owner
+    from birdcage.station.control_messages import ListFeatures
+
+    answer = ask_owner(dish, request, by)
+    if answer is None:
+        return None
+    port, told = answer
+    table = ask_owner(dish, ListFeatures(), by)
+    return _readings(port, ids, told, [] if table is None else table[1]["features"])
+
+
 def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...]) -> dict[str, Any]:
     from birdcage.cli.dish import open_dish
-    from birdcage.rotator.feature import Reading
-    from birdcage.station.feature_report import reading_values
+    from birdcage.station.feature_report import feature_values
 
     with open_dish(wanted, survey=False) as dish:
         dish.come_up(15.0)
         _see_at_rest(dish)
         told = dish.ask(request, TAKES_S)
         state = dish.state
+    features = state.dish.features.values() if state.dish else ()
+    return _readings(state.port, ids, told, map(feature_values, features))
+
+
+def _readings(port: str, ids: tuple[str, ...], told: object, rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+    """Return what `Read` or `Set` resolves with, for JSON; `rows` is the table of features."""
+    from birdcage.rotator.feature import Reading
+    from birdcage.station.feature_report import reading_values, told_in_lines
+
     readings = {ids[0]: told} if isinstance(told, Reading) else told
     assert isinstance(readings, Mapping)
-    return {"port": state.port, "readings": reading_values(ids, state.dish.features if state.dish else {}, readings)}
+    return {"port": port, "readings": reading_values(ids, told_in_lines(rows), readings)}
 
 
 def _see_at_rest(dish: DishSession) -> None:

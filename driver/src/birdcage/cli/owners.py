@@ -6,47 +6,53 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
+    from birdcage.station.control_client import Owner
+    from birdcage.station.control_messages import ControlRequest
 
 
-def ask_owner(dish: Wanted, do: str, by: str, **more: object) -> dict[str, Any] | None:
-    """Ask the program that has the port; None if there is none, or it keeps silent, which is said.
+def owners_of(dish: Wanted) -> list[Owner]:
+    """Return the program that has the port, or all that have one where no port is named anywhere."""
+    from birdcage.station.control_client import find_owner, find_owners, owners_folder
 
-    Raises what it tells went wrong.
+    folder = owners_folder(dish.paths)
+    if not dish.port_given:
+        return find_owners(folder)
+    owner = find_owner(folder, dish.port)
+    return [] if owner is None else [owner]
+
+
+def ask_owner(dish: Wanted, request: ControlRequest, by: str) -> tuple[str, Any] | None:
+    """Ask the program that has the port; return that port and what it tells (`control_messages`).
+
+    None if there is none, or it keeps silent, which is said. Raises what it tells went wrong.
     """
     from birdcage.cli.say import say
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, owners_folder
-    from birdcage.station.feature_report import error_of
 
     owner = find_owner(owners_folder(dish.paths), dish.port)
     if owner is None:
         return None
     try:
-        told = call_owner(owner, do, by, **more)
+        return owner.port, call_owner(owner, request, by)
     except NoAnswer as error:
         say(f"{error}.")
         return None
     except OwnerGone:
         return None  # it has ended: the port is free to be opened
-    if isinstance(told.get("error"), dict):
-        raise error_of(told["error"])
-    return told | {"port": owner.port}
 
 
-def ring_owners(dish: Wanted, do: str, by: str) -> list[dict[str, Any]]:
+def ring_owners(dish: Wanted, request: ControlRequest, by: str) -> list[dict[str, Any]]:
     """Have the owner of the port do it, or every owner when no port is named anywhere; empty if there is none.
 
     NoReply where one lives and does not answer.
     """
     from birdcage.base.errors import NoReply
-    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, find_owners, owners_folder
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
 
-    folder = owners_folder(dish.paths)
-    one = find_owner(folder, dish.port) if dish.port_given else None
-    owners = find_owners(folder) if not dish.port_given else [one] if one is not None else []
     told = []
-    for owner in owners:
+    for owner in owners_of(dish):
         try:
-            told.append(call_owner(owner, do, by) | {"port": owner.port, "pid": owner.pid})
+            told.append(call_owner(owner, request, by) | {"port": owner.port, "pid": owner.pid})
         except OwnerGone:
             continue
         except NoAnswer as error:

@@ -8,19 +8,31 @@ import json
 import os
 import re
 import socket
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import BadMessage, CommandRefused
 from birdcage.base.paths import Paths
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
+from birdcage.station.control_messages import (
+    LONGEST_ANSWER,
+    LONGEST_LINE,
+    ControlCall,
+    ControlRequest,
+    EventsEnded,
+    as_line,
+    call_to_json,
+    result_from_json,
+)
+from birdcage.station.feature_report import error_of
+from birdcage.station.json_form import check_version
+from birdcage.station.json_lines import LineReader
 
 CONNECT_S = 1.0
-LONGEST_LINE = 4096
-"""Bytes of what is asked."""
-WRONG_TOKEN = "wrong token"  # noqa: S105 - what an owner says of one
 ANSWER_S = 10.0
 """Longer than the owner waits for the dish to confirm a STOP."""
 
@@ -76,40 +88,110 @@ def find_owners(folder: Path) -> list[Owner]:
     return [owner for owner in found if owner is not None]
 
 
-def call_owner(owner: Owner, do: str, by: str, **more: object) -> dict[str, Any]:
-    """Ask the owner to `stop`, `hold`, `release`, or for its `status`, and return what it tells; `by` says who asks.
-
-    `more` goes with it: of which features, and what to set (`control_server`).
+def call_owner(owner: Owner, request: ControlRequest, by: str) -> Any:  # noqa: ANN401 - as `control_messages.RESULTS`
+    """Have the owner do what is asked, and return what it tells; `by` says who asks.
 
     OwnerGone when it has ended, or ends before it answers; a file left behind by it is then removed. NoAnswer when
-    it lives and keeps silent. CommandRefused when it does not know what is asked, or that is too long.
+    it lives and keeps silent. CommandRefused when it does not know what is asked, or that is too long. Any other
+    BirdcageError is the owner's own.
     """
-    asked = json.dumps({"token": owner.token, "do": do, "by": by, **more}).encode() + b"\n"
+    with _called(owner, ControlCall(request, by)) as lines:
+        return _result(owner, request, _answer(owner, lines))
+
+
+@contextlib.contextmanager
+def follow_owner(owner: Owner, request: ControlRequest, by: str) -> Iterator[Iterator[dict[str, Any]]]:
+    """Ask the owner, and give every event that it tells from then on as JSON, and then its last line, `EventsEnded`.
+
+    Raises what `call_owner` does; each event raises OwnerGone where the last line is missing.
+    """
+    with _called(owner, ControlCall(request, by, events=True)) as lines:
+        _result(owner, request, _answer(owner, lines))
+        yield _events(owner, lines)
+
+
+def _events(owner: Owner, lines: LineReader) -> Iterator[dict[str, Any]]:
+    told: dict[str, Any] = {}
+    while told.get("type") != EventsEnded.__name__:
+        try:
+            told = _next(lines, None)
+        except (OSError, ValueError):
+            # It may live, and have dropped a caller that was too slow: its file stays.
+            raise OwnerGone(f"process {owner.pid} has ended, or hung up") from None
+        yield told
+
+
+@contextlib.contextmanager
+def _called(owner: Owner, call: ControlCall) -> Iterator[LineReader]:
+    """Send what is asked, and give the lines that come back."""
+    asked = as_line(call_to_json(owner.token, call))
     if len(asked) > LONGEST_LINE:
         raise CommandRefused("That is more than another program can be asked at once. Nothing was sent: ask for less.")
     try:
-        with socket.create_connection(("127.0.0.1", owner.tcp_port), CONNECT_S) as line:
+        line = socket.create_connection(("127.0.0.1", owner.tcp_port), CONNECT_S)
+    except TimeoutError:
+        raise _silent(owner) from None
+    except OSError:
+        raise _gone(owner) from None
+    with line:
+        try:
             line.settimeout(ANSWER_S)
             line.sendall(asked)
-            with line.makefile("rb") as lines:
-                reply = clean_all(json.loads(lines.readline()))
+        except TimeoutError:
+            raise _silent(owner) from None
+        except OSError:
+            raise _gone(owner) from None
+        yield LineReader(line)
+
+
+def _next(lines: LineReader, within_s: float | None) -> dict[str, Any]:
+    """Return the next line, clean. OSError when there is none in time, ValueError for what is no object of JSON."""
+    try:
+        told = clean_all(json.loads(lines.read(LONGEST_ANSWER, within_s)))
+    except RecursionError:
+        raise ValueError("too deep a nest") from None
+    if not isinstance(told, dict):
+        raise ValueError("no object")
+    return told
+
+
+def _answer(owner: Owner, lines: LineReader) -> dict[str, Any]:
+    try:
+        told = _next(lines, ANSWER_S)
     except TimeoutError:
-        raise NoAnswer(f"Process {owner.pid} has {owner.port} and does not answer") from None
+        raise _silent(owner) from None
     except (OSError, ValueError):
-        _forget(owner)
-        raise OwnerGone(f"process {owner.pid} has ended") from None
-    refusal = reply.get("error") if isinstance(reply, dict) else None
-    if not isinstance(reply, dict) or refusal == WRONG_TOKEN:
+        raise _gone(owner) from None
+    error = told.get("error")
+    if Reason.WRONG_TOKEN in (error, error.get("reason") if isinstance(error, dict) else None):
         # The system gave its TCP port to another program.
-        _forget(owner)
-        raise OwnerGone(f"process {owner.pid} has ended")
-    if not reply.get("ok"):
-        raise CommandRefused(
-            f"The program that has {owner.port} (process {owner.pid}) can't do that: {refusal}. Nothing was sent. "
-            "Is it an older birdcage?"
-        )
-    told = reply.get(do)
-    return told if isinstance(told, dict) else {}
+        raise _gone(owner)
+    return told
+
+
+def _result(owner: Owner, request: ControlRequest, told: dict[str, Any]) -> Any:  # noqa: ANN401 - as `RESULTS`
+    """Return the result in an answer. Raises the owner's error; CommandRefused where it does not understand us."""
+    whose = f"The program that has {owner.port} (process {owner.pid})"
+    error = told.get("error")
+    if told.get("ok") is True:
+        try:
+            check_version(told, "The answer")
+            return result_from_json(request, told.get("result"))
+        except BadMessage as wrong:
+            raise CommandRefused(f"{whose} has answered in another form. {wrong}") from None
+    if isinstance(error, dict) and error.get("kind") != BadMessage.__name__:
+        raise error_of(error)
+    why = str(error.get("sentence") if isinstance(error, dict) else error).removesuffix(".")
+    raise CommandRefused(f"{whose} can't do that: {why}. Nothing was sent. Is it an older birdcage?")
+
+
+def _silent(owner: Owner) -> NoAnswer:
+    return NoAnswer(f"Process {owner.pid} has {owner.port} and does not answer")
+
+
+def _gone(owner: Owner) -> OwnerGone:
+    _forget(owner)
+    return OwnerGone(f"process {owner.pid} has ended")
 
 
 def _read(path: Path) -> Owner | None:

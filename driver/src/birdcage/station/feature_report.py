@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
+from typing import Any
 
 from birdcage.base import errors
 from birdcage.base.errors import BirdcageError
@@ -28,18 +29,22 @@ def feature_values(feature: Feature) -> Values:
     }  # fmt: skip
 
 
+def told_in_lines(rows: Iterable[Mapping[str, Any]]) -> frozenset[str]:
+    """Return the ids of those rows (`feature_values`) whose text has several lines."""
+    return frozenset(row["id"] for row in rows if row["kind"] == FeatureKind.LINES.value)
+
+
 def reading_values(
-    ids: Iterable[str], features: Mapping[str, Feature], readings: Mapping[str, Reading]
+    ids: Iterable[str], in_lines: Collection[str], readings: Mapping[str, Reading]
 ) -> dict[str, Values | None]:
-    """Return what was read, by id; None for what the dish did not tell. Text of several lines is a list of them."""
-    return {each: _told(features.get(each), readings.get(each)) for each in ids}
+    """Return what was read, by id; None for what the dish did not tell. Text of what is told `in_lines` is a list."""
+    return {each: _told(readings.get(each), in_lines=each in in_lines) for each in ids}
 
 
-def _told(feature: Feature | None, reading: Reading | None) -> Values | None:
+def _told(reading: Reading | None, *, in_lines: bool) -> Values | None:
     if reading is None:
         return None
-    lines = feature is not None and feature.kind is FeatureKind.LINES
-    value = str(reading.value).splitlines() if lines else reading.value
+    value = str(reading.value).splitlines() if in_lines else reading.value
     return {"value": value, "unit": reading.unit or None, "utc": reading.utc.isoformat(timespec="milliseconds")}
 
 

@@ -48,12 +48,13 @@ def command(context: click.Context) -> None:
 def _owner(dish: Wanted) -> str | None:
     """Return who has the port, in a sentence; None if no birdcage program has."""
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner, find_owner, owners_folder
+    from birdcage.station.control_messages import TellStatus
 
     owner = find_owner(owners_folder(dish.paths), dish.port)
     if owner is None:
         return None
     try:
-        firmware = call_owner(owner, "status", "birdcage detect").get("firmware") or "nothing yet"
+        firmware = call_owner(owner, TellStatus(), "birdcage detect").get("firmware") or "nothing yet"
     except NoAnswer as error:
         return f"{error}."
     except OwnerGone:

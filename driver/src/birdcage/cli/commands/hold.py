@@ -23,11 +23,12 @@ def command(context: click.Context) -> None:
     from birdcage.base.held import user_name
     from birdcage.cli.owners import ring_owners
     from birdcage.cli.say import tell, tell_json
+    from birdcage.station.control_messages import HoldDish
     from birdcage.station.holding import hold
 
     dish, by, now = wanted(), f"{user_name()} (birdcage hold)", RealClock().utc()
     try:
-        told = ring_owners(dish, "hold", by)
+        told = ring_owners(dish, HoldDish(by), by)
     except NoReply as error:
         hold(dish.paths, dish.port, by, now)
         error.add_note("Every birdcage program that starts now finds it HELD.")

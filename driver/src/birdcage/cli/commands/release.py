@@ -22,9 +22,10 @@ def command(context: click.Context) -> None:
     from birdcage.base.held import user_name
     from birdcage.cli.owners import ring_owners
     from birdcage.cli.say import tell, tell_json
+    from birdcage.station.requests import Release
 
-    dish = wanted()
-    told = ring_owners(dish, "release", f"{user_name()} (birdcage release)") or [_release(dish)]
+    dish, by = wanted(), f"{user_name()} (birdcage release)"
+    told = ring_owners(dish, Release(by), by) or [_release(dish)]
     for each in told:
         if flags().json:
             tell_json(each)

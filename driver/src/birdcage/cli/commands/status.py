@@ -22,10 +22,14 @@ def command(context: click.Context, quick: bool) -> None:
     from birdcage.base.errors import LinkError, NoReply
     from birdcage.cli.owners import ask_owner
     from birdcage.cli.say import say, tell, tell_json
+    from birdcage.station.control_messages import TellStatus
 
     dish, trouble = wanted(), None
-    status = ask_owner(dish, "status", "birdcage status")
-    if status is None:
+    answer = ask_owner(dish, TellStatus(), "birdcage status")
+    if answer is not None:
+        port, told = answer
+        status = told | {"port": port}
+    else:
         try:
             status = _look(dish, quick=quick)
         except (LinkError, NoReply) as error:

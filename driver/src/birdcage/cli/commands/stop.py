@@ -67,31 +67,29 @@ def _is_held(dish: Wanted, port: str) -> bool:
 
 def _ring(dish: Wanted) -> list[dict[str, Any]]:
     """Have the owners of the port stop, and return what each did; empty if there is none."""
+    from birdcage.cli.owners import owners_of
+
     done = []
-    for owner in _owners(dish):
+    for owner in owners_of(dish):
         stop = _ring_one(owner)
         if stop is not None:
             done.append(stop | {"port": owner.port, "pid": owner.pid, "held": _is_held(dish, owner.port)})
     return done
 
 
-def _owners(dish: Wanted) -> list[Owner]:
-    from birdcage.station.control_client import find_owner, find_owners, owners_folder
-
-    if not dish.port_given:
-        return find_owners(owners_folder(dish.paths))
-    owner = find_owner(owners_folder(dish.paths), dish.port)
-    return [owner] if owner else []
-
-
 def _ring_one(owner: Owner) -> dict[str, Any] | None:
+    from birdcage.base.errors import CommandRefused
     from birdcage.cli.app import EndedBySignal
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
+    from birdcage.station.requests import Stop
 
     try:
-        return call_owner(owner, "stop", BY)
+        done: dict[str, Any] = call_owner(owner, Stop(BY), BY)
+        return done
     except NoAnswer as error:
-        return {"by": BY, "means": "none", "confirmed": False, "sentence": f"{error}: cut the power of the dish."}
+        sentence = f"{error}: cut the power of the dish."
+    except CommandRefused as error:  # another version: that keeps no other program from being stopped
+        sentence = f"{error} If the dish moves, stop it there, or cut its power."
     except OwnerGone:
         return None
     except KeyboardInterrupt:
@@ -100,6 +98,7 @@ def _ring_one(owner: Owner) -> dict[str, Any] | None:
             f"Process {owner.pid} was told to stop the dish. What came of it is not known: look at the dish."
         )
         raise ended from None
+    return {"by": BY, "means": "none", "confirmed": False, "sentence": sentence}
 
 
 def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:

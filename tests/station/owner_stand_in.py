@@ -1,0 +1,43 @@
+"""A station as far as the control channel sees one."""
+
+from __future__ import annotations
+
+from concurrent.futures import Future
+
+from birdcage.base.clock import VirtualClock
+from birdcage.station.events import LinkChanged, StopConfirmed
+from birdcage.station.requests import Request
+from birdcage.station.state import LinkPhase, LinkState, StationState, StopReport
+from birdcage.station.state_store import StateStore
+
+
+class OwnerStandIn:
+    """A station as far as a control server sees one: it confirms each STOP at once."""
+
+    def __init__(self, port: str, asked: str | None = None) -> None:
+        self.clock = VirtualClock()
+        self.board = StateStore(self.clock, StationState(port=port))
+        self.asked_port = asked or port
+        self.stops: list[str] = []
+        self.asked: list[Request] = []
+        self.subscribe, self.warn = self.board.subscribe, self.board.warn
+
+    @property
+    def state(self) -> StationState:
+        return self.board.state
+
+    def submit(self, request: Request) -> Future[object]:
+        self.asked.append(request)
+        future: Future[object] = Future()
+        future.set_result(None)
+        return future
+
+    def stop(self, by: str) -> None:
+        self.stops.append(by)
+        report = StopReport(by, self.clock.monotonic(), "retarget", True, "Stands still.")
+        self.board.change(last_stop=report)
+        self.board.tell(StopConfirmed(*self.board.stamp(), report))
+
+    def link(self, state: LinkPhase, **fields) -> None:
+        self.board.change(link=LinkState(state), **fields)
+        self.board.tell(LinkChanged(*self.board.stamp(), self.state.link))
