@@ -14,6 +14,9 @@ class Desk:
     def __init__(self):
         self.applied = []
 
+    def ask(self, order):
+        order(self)
+
     def apply(self, settings, observer):
         self.applied.append((settings, observer))
 

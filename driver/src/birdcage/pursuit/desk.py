@@ -6,38 +6,29 @@ It owns one thread. On a virtual clock there is none: a test calls `step`.
 from __future__ import annotations
 
 import threading
+from collections import deque
 from collections.abc import Callable
-from datetime import datetime
 from functools import partial
-from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
-from birdcage.base.config import Settings
+from birdcage.base.wake import Wake
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.desk_work import DeskWork
 from birdcage.pursuit.now import DeskNow
-from birdcage.pursuit.orders import Orders
-from birdcage.sky.observer import Observer
+from birdcage.pursuit.orders import Order, PursuitOrders
 from birdcage.station.events import Event, Followed, LinkChanged, PursuitChanged
 from birdcage.station.station import Station
 
-if TYPE_CHECKING:
-    from birdcage.pursuit.pass_listener import PassListener
-    from birdcage.sky.targets import Target
 
-
-class PursuitDesk:
-    """All methods but `step` are for any thread, and none of them waits; `tell` is called on the desk's thread.
-
-    What goes wrong stands in `DeskNow.problem`, as a sentence.
-    """
+class PursuitDesk(PursuitOrders):
+    """All methods but `step` are for any thread; `tell` is called on the desk's thread."""
 
     def __init__(
         self, station: Station, clock: Clock, setup: DeskSetup, tell: Callable[[DeskNow], object], *,
         threads: bool = True,
     ) -> None:  # fmt: skip
         self._clock, self._tell, self._threads = clock, tell, threads
-        self._orders = Orders()
+        self._orders = _OrderQueue()
         self._work = DeskWork(station, clock, setup, self._orders.put, threads=threads)
         self._thread: threading.Thread | None = None
         self._closing = False
@@ -84,79 +75,9 @@ class PursuitDesk:
         self._thread.join(timeout_s)
         return not self._thread.is_alive()
 
-    # --- what is chosen
-
-    def search(self, text: str) -> None:
-        """Look for targets as one types; with nothing typed: the favourites, and the bodies."""
-        self._orders.put(partial(self._work.search, text))
-
-    def locate(self, text: str) -> None:
-        """Tell from now on where a target stands (`DeskNow.located`), without choosing it; empty ends that."""
-        self._orders.put(partial(self._work.locate, text))
-
-    def choose(self, text: str, target: Target | None = None) -> None:
-        """Choose a target, as `birdcage where` takes it or as `Found.text` has it. What is followed goes on.
-
-        With `target` it is that one, which need not be in the catalogue.
-        """
-        self._orders.put(partial(self._work.choose, text, target))
-
-    def choose_pass(self, aos: datetime) -> None:
-        """Choose a pass by its AOS, as one of `DeskNow.passes` has it."""
-        self._orders.put(partial(self._work.choose_pass, aos))
-
-    def set_time_offset(self, seconds: float) -> None:
-        """Let the chosen satellite come so much later than computed; remembered with its date. At most an hour."""
-        self._orders.put(partial(self._work.set_time_offset, seconds))
-
-    def set_frequency(self, hertz: float | None) -> None:
-        """Set the frequency of the chosen satellite's downlink; None for the usual one."""
-        self._orders.put(partial(self._work.set_frequency, hertz))
-
-    # --- what is done with it
-
-    def watch(self) -> None:
-        """Only show it: what was being followed is left, and the dish comes to rest."""
-        self._orders.put(self._work.leave)
-
-    def aim_once(self) -> None:
-        """Point where it stands now, once."""
-        self._orders.put(self._work.aim_once)
-
-    def follow(self) -> None:
-        """Follow the chosen pass, by a plan made for the dish as it stands now."""
-        self._orders.put(self._work.follow)
-
-    def leave(self) -> None:
-        """Leave what is being followed; the dish comes to rest where it is."""
-        self._orders.put(self._work.leave)
-
-    def take_up(self) -> None:
-        """Follow what was left unfinished (`DeskNow.unfinished`): a person has asked for it."""
-        self._orders.put(partial(self._work.take_up, asked=True))
-
-    def resume(self) -> None:
-        """Follow again what STOP or a hand has ended or interrupted (`DeskNow.resumable`), autotrack included.
-
-        Whoever asks has released the dish, and has given back what control he took.
-        """
-        self._orders.put(self._work.resume)
-
-    def forget_unfinished(self) -> None:
-        """Do not offer it any more."""
-        self._orders.put(self._work.forget_unfinished)
-
-    def set_autotrack(self, on: bool) -> None:
-        """Follow the passes of the favourites one after the other, or no longer; what is followed goes on."""
-        self._orders.put(partial(self._work.set_autotrack, on))
-
-    def apply(self, settings: Settings, observer: Observer | None) -> None:
-        """Use other settings and another place from now on."""
-        self._orders.put(partial(self._work.apply, settings, observer))
-
-    def add_listener(self, listener: PassListener) -> None:
-        """Let something go along with every pass from now on, beside the log, the hooks and the receiver."""
-        self._orders.put(partial(self._work.services.add, listener))
+    def ask(self, order: Order) -> None:
+        """Leave an order. Any thread."""
+        self._orders.put(partial(order, self._work))
 
     # --- the desk's own thread
 
@@ -187,3 +108,21 @@ class PursuitDesk:
     def _hear(self, event: Event) -> None:
         if isinstance(event, PursuitChanged | Followed | LinkChanged):
             self._orders.put(self._work.look_again)
+
+
+class _OrderQueue:
+    """Calls of other threads, waiting for the desk's own; wakes whoever takes from it."""
+
+    def __init__(self) -> None:
+        self._waiting: deque[Callable[[], object]] = deque()
+        self.wake = Wake()
+
+    def put(self, order: Callable[[], object]) -> None:
+        """Leave an order. Any thread; returns at once."""
+        self._waiting.append(order)
+        self.wake.set()
+
+    def carry_out(self) -> None:
+        """Carry out what waits. The desk's thread alone."""
+        while self._waiting:
+            self._waiting.popleft()()

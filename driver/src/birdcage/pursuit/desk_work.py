@@ -70,7 +70,7 @@ class DeskWork:
         self._file_at = self._tell_at = -math.inf
         self._changed = True
 
-    # --- orders: `PursuitDesk` says what they are for
+    # --- orders: `PursuitOrders` says what they are for
 
     def search(self, text: str) -> None:
         """Look for targets."""

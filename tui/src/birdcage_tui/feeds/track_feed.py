@@ -5,13 +5,14 @@ Nothing of the desk is loaded before the first frame, and no call waits: it work
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections import deque
 from collections.abc import Callable
 from dataclasses import replace
-from datetime import datetime
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING
 
 from birdcage.pursuit.now import NO_PLACE
+from birdcage.pursuit.orders import PursuitOrders
 from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit_state import Phase, PointingSample
 
@@ -30,60 +31,22 @@ ShowTrack = Callable[["DeskNow"], object]
 """Takes what the desk shows, on whichever thread made it."""
 
 
-class TrackSource(Protocol):
-    """The pursuit desk. No call waits; what came of it is told later."""
+class TrackSource(PursuitOrders):
+    """The pursuit desk as the app has it: its orders, a beginning and an end. No call waits but `wait`."""
 
+    @abstractmethod
     def start(self) -> None:
         """Begin, on a thread of its own."""
 
+    @abstractmethod
     def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
         """Take where the dish stands, the horizon there as it is now (None: what the settings said), and its feed."""
 
-    def search(self, text: str) -> None:
-        """Look for targets by what was typed; nothing typed finds the favourites."""
-
-    def locate(self, text: str) -> None:
-        """Tell where a target stands, without choosing it; empty: no longer."""
-
-    def choose(self, text: str) -> None:
-        """Choose a target."""
-
-    def choose_pass(self, aos: datetime) -> None:
-        """Choose one of its passes, by its AOS."""
-
-    def watch(self) -> None:
-        """Show it; nothing moves by it."""
-
-    def aim_once(self) -> None:
-        """Point at where it is now, or will be when the dish has arrived."""
-
-    def follow(self) -> None:
-        """Follow it, from the moment at which it comes into reach."""
-
-    def leave(self) -> None:
-        """End following; the dish stays where it is."""
-
-    def set_time_offset(self, seconds: float) -> None:
-        """Take it to come so much later than computed."""
-
-    def take_up(self) -> None:
-        """Follow what was left unfinished."""
-
-    def resume(self) -> None:
-        """Follow again what STOP or a hand has ended or interrupted, autotrack included."""
-
-    def forget_unfinished(self) -> None:
-        """Do not offer it any more."""
-
-    def set_frequency(self, hertz: float | None) -> None:
-        """Take another frequency for its downlink; None: its own."""
-
-    def set_autotrack(self, on: bool) -> None:
-        """Follow what the schedule says, one pass after another, or no longer."""
-
+    @abstractmethod
     def close(self) -> None:
         """End soon; nothing is told any more. A second time does nothing."""
 
+    @abstractmethod
     def wait(self, timeout_s: float) -> None:
         """Wait until it has left on disk what is to be remembered, where there is such a thing."""
 

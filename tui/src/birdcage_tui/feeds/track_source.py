@@ -4,24 +4,23 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
-from datetime import datetime
 from typing import TYPE_CHECKING
 
 from birdcage_tui.feeds.demo_sky import lay_demo_sky
+from birdcage_tui.feeds.track_feed import TrackSource
 from birdcage_tui.shown.options import SitePlace
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
     from birdcage.pursuit.desk import PursuitDesk
+    from birdcage.pursuit.orders import Order
     from birdcage.sky.horizon import HorizonMask
     from birdcage.sky.observer import Observer
     from birdcage.station.session import Session
 
     from birdcage_tui.feeds.signal_source import SessionSignals
     from birdcage_tui.feeds.track_feed import MakeTrack, ShowTrack
-
-Order = Callable[["PursuitDesk"], None]
 
 
 def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
@@ -62,7 +61,7 @@ def observer_of(settings: Settings, place: SitePlace | None = None) -> Observer 
     return Observer(own.latitude_deg, own.longitude_deg, own.height_m, name=own.name or "")
 
 
-class DeskSource:
+class DeskSource(TrackSource):
     """Hands every order to the desk; those that come before it is open wait for it, in their order."""
 
     def __init__(self, open_desk: Callable[[], PursuitDesk], load: Callable[[], Settings], *, threads: bool) -> None:
@@ -90,16 +89,17 @@ class DeskSource:
                 return
             self.desk = desk
             for order in self._waiting:
-                order(desk)
+                desk.ask(order)
             self._waiting.clear()
         desk.start()
 
-    def _ask(self, order: Order) -> None:
+    def ask(self, order: Order) -> None:
+        """Hand an order on, or keep it until the desk is open."""
         with self._lock:
             if self.desk is None:
                 self._waiting.append(order)
             else:
-                order(self.desk)
+                self.desk.ask(order)
 
     def step(self) -> None:
         """Do what there is to do, on the calling thread."""
@@ -118,63 +118,7 @@ class DeskSource:
         if elsewhere or masked or (fed and feed != fed):
             settings = self._load()
             observer = observer_of(settings, place)
-            self._ask(lambda desk: desk.apply(settings, observer))
-
-    def search(self, text: str) -> None:
-        """Look for targets."""
-        self._ask(lambda desk: desk.search(text))
-
-    def locate(self, text: str) -> None:
-        """Say where a target stands."""
-        self._ask(lambda desk: desk.locate(text))
-
-    def choose(self, text: str) -> None:
-        """Choose a target."""
-        self._ask(lambda desk: desk.choose(text))
-
-    def choose_pass(self, aos: datetime) -> None:
-        """Choose one of its passes."""
-        self._ask(lambda desk: desk.choose_pass(aos))
-
-    def watch(self) -> None:
-        """Show it only."""
-        self._ask(lambda desk: desk.watch())
-
-    def aim_once(self) -> None:
-        """Point at it once."""
-        self._ask(lambda desk: desk.aim_once())
-
-    def follow(self) -> None:
-        """Follow it."""
-        self._ask(lambda desk: desk.follow())
-
-    def leave(self) -> None:
-        """End following."""
-        self._ask(lambda desk: desk.leave())
-
-    def take_up(self) -> None:
-        """Follow what was left unfinished."""
-        self._ask(lambda desk: desk.take_up())
-
-    def resume(self) -> None:
-        """Follow what was stopped."""
-        self._ask(lambda desk: desk.resume())
-
-    def forget_unfinished(self) -> None:
-        """Do not offer it any more."""
-        self._ask(lambda desk: desk.forget_unfinished())
-
-    def set_time_offset(self, seconds: float) -> None:
-        """Take it to come so much later."""
-        self._ask(lambda desk: desk.set_time_offset(seconds))
-
-    def set_frequency(self, hertz: float | None) -> None:
-        """Take another frequency."""
-        self._ask(lambda desk: desk.set_frequency(hertz))
-
-    def set_autotrack(self, on: bool) -> None:
-        """Follow the schedule, or no longer."""
-        self._ask(lambda desk: desk.set_autotrack(on))
+            self.apply(settings, observer)
 
     def close(self) -> None:
         """End soon; an opening that is under way ends by itself."""
