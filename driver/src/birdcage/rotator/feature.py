@@ -23,6 +23,10 @@ TV_SEARCH = "tv_search"
 """Whether it searches for TV satellites by itself from the next power-up on."""
 END_TV_SEARCH = "end_tv_search"
 """Ends that search while it runs; it begins again at the next power-up."""
+POSITION = "position"
+"""What faces watch for where a machine points. It is no feature: none may have this id."""
+HEALTH = "health"
+"""What faces watch for all features that tell how well a machine is (`Feature.health`). None may have this id."""
 WELL_FORMED = re.compile(r"[a-z][a-z0-9_]*(\.[a-z0-9][a-z0-9_]*)*")
 """How an id is written: small letters, digits and underscores; points part a name from what it belongs to."""
 
@@ -89,6 +93,22 @@ class Cost:
 
 
 @dataclass(frozen=True, slots=True)
+class HealthMark:
+    """That a feature tells how well the machine is: how it is called in a list of such, and how often it is read."""
+
+    label: str
+    """One or two short words."""
+    every_s: float = 30.0
+    """How often it is read for that, in seconds; `Cost.min_interval_s` holds as well."""
+    good: tuple[Value, ...] = ()
+    """What it tells of a machine that is well; empty where no value says so."""
+
+    def is_good(self, value: Value) -> bool | None:
+        """Return whether a value tells of a machine that is well; None where it says neither."""
+        return value in self.good if self.good else None
+
+
+@dataclass(frozen=True, slots=True)
 class Feature:
     """One row of the table."""
 
@@ -105,6 +125,8 @@ class Feature:
     cost: Cost = field(default_factory=Cost)
     told: bool = True
     """Whether the machine tells it when asked. If not, it can only be set; its answer to that is all that it tells."""
+    health: HealthMark | None = None
+    """How it tells how well the machine is; None for what does not."""
 
     @property
     def is_readable(self) -> bool:

@@ -39,6 +39,8 @@ class FeatureTable:
     def read(self, machine: object, name: str, ids: Iterable[str], stamp: Stamp) -> dict[str, Reading]:
         """Ask a machine (called `name`) for some features; what it did not tell is left out.
 
+        What the same answers told of other features is among what is returned.
+
         CommandRefused (`unsupported`) for what it does not tell at all, before anything is sent.
         """
         rows = {each: self._rows.get(each) for each in ids}
@@ -48,7 +50,7 @@ class FeatureTable:
         readings: dict[str, Reading] = {}
         for ask in dict.fromkeys(row.read for row in rows.values() if row is not None and row.read is not None):
             told = ask(machine)
-            readings |= {each: self._reading(each, told[each], stamp) for each in rows if each in told}
+            readings |= {each: self._reading(each, value, stamp) for each, value in told.items() if each in self._rows}
         return readings
 
     def write(self, machine: object, name: str, feature: str, value: Value, stamp: Stamp) -> Reading:

@@ -169,7 +169,10 @@ class Rotator(Protocol):
         """What it tells and lets be set besides its position, by id: `Facts.features`."""
 
     def read(self, ids: Iterable[str]) -> Mapping[str, Reading]:
-        """Read some features; what was not told is left out. Nothing is sent where one of them can't be read."""
+        """Read some features; what was not told is left out, and what the same answers told of others is not.
+
+        Nothing is sent where one of them can't be read.
+        """
 
     def write(self, feature: str, value: Value) -> Reading:
         """Write a feature, and return what was read back. OutOfRange (nothing sent) for a value beyond its range."""

@@ -14,6 +14,7 @@ from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import End, FaultRaised, TranscriptLine
+from birdcage.station.feature_watch import FeatureWatch
 from birdcage.station.parts import Parts
 from birdcage.station.stalls import MotorFault, blocked, motor_fault
 from birdcage.station.starting import Starting
@@ -23,6 +24,8 @@ CLOCK_STEP_S = 2.0
 UNASKED_DEG = 0.3
 """At rest a reading repeats to a hundredth; this much is motion."""
 UNASKED_POLL_S = 0.2
+RESTING = (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
+"""While a dish does one of these, only the monitor looks where it is."""
 LESS_THAN_A_FAILED_HOMING = (FaultReason.REBOOT, FaultReason.UNHOMED)
 """Faults that say less than that an axis failed to home, which takes their place."""
 
@@ -38,6 +41,7 @@ class DishMonitor:
             parts.stopper,
             parts.watches,
         )
+        self._features = FeatureWatch(parts)
         self._offset_s = self._clock_offset_s()
         self._look_again_at: float | None = None
         self._unsettled = False
@@ -59,17 +63,17 @@ class DishMonitor:
         parts.signals.speed_stuck.connect(self._speed_stuck)
 
     def due(self) -> float | None:
-        """Return when there is something to look at; nothing else is asked for while the dish moves."""
-        if self._store.state.activity not in (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED):
-            return None
+        """Return when there is something to look at; while the dish moves, only what may be read all the same."""
         if self.paused:
             return None
+        features = self._features.due()
+        if self._store.state.activity not in RESTING:
+            return features
         if self._reader.wants_survey and not self._unsettled:
             return -math.inf
-        signal = self._signal_due()
         if self._watches.excursion is not None:
-            return signal  # in the tuner's menu until the reads are done: the position waits
-        times = (self._look_again_at, self._position_due(), signal)
+            return features  # in another menu until the reads are done: the position waits
+        times = (self._look_again_at, self._position_due(), features)
         return min((time for time in times if time is not None), default=None)
 
     def _position_due(self) -> float | None:
@@ -78,43 +82,31 @@ class DishMonitor:
         # Whoever waits to leave this menu needs an answer from it first.
         return self._watches.position_due(for_any=not self._reader.may_leave)
 
-    def _signal_due(self) -> float | None:
-        dish = self._store.state.dish
-        if dish is None or not dish.has_rssi or self._store.state.activity is not Activity.IDLE:
-            return None
-        if self._watches.excursion is None and not self._reader.may_leave:
-            return None
-        return self._watches.rssi_due()
-
     def tick(self) -> None:
         """Look at whatever is due."""
-        if self._reader.wants_survey and not self._unsettled:
-            self._reader.survey()
-            return
         now = self._store.clock.monotonic()
-        signal, position = self._signal_due(), self._position_due()
-        if self._watches.excursion is not None:
-            self._read_signal(now)
-        elif (position is not None and position <= now) or self._is_due(self._look_again_at, now):
+        if self._store.state.activity not in RESTING:
+            self._features.tick()
+        elif self._reader.wants_survey and not self._unsettled:
+            self._reader.survey()
+        elif self._watches.excursion is not None:
+            self._features.tick()
+        elif self._is_due(self._position_due(), now) or self._is_due(self._look_again_at, now):
             self._read_position()
-        elif self._is_due(signal, now):
-            self._read_signal(now)
+        elif self._is_due(self._features.due(), now):
+            self._features.tick()
 
     @staticmethod
     def _is_due(time: float | None, now: float) -> bool:
         return time is not None and time <= now
-
-    def _read_signal(self, now: float) -> None:
-        self._reader.signal()
-        self._watches.rssi_was_read(now, self._reader.signal_not_before)
 
     def heard_position(self, told: values.Look) -> None:
         """Hear unasked where the dish is: at rest that is a look like any other. In motion its mover looks."""
         if not self._antenna.strategy.reads_position:
             self._heard_on_its_way(told)
             return
-        state, resting = self._store.state, (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
-        if state.link.state is LinkPhase.UP and state.activity in resting and not self.paused:
+        state = self._store.state
+        if state.link.state is LinkPhase.UP and state.activity in RESTING and not self.paused:
             self._read_position(told)
 
     def _heard_on_its_way(self, look: values.Look) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from datetime import timedelta
 from functools import partial
@@ -166,13 +166,21 @@ class DishReader:
 
     def signal(self) -> None:
         """Read the tuner's signal strength."""
-        self.note(self._antenna.rotator.read([RSSI]))
+        self.features([RSSI])
 
-    @property
-    def signal_not_before(self) -> float:
-        """When the machine may be asked for its signal again, in monotonic seconds."""
-        last = self._store.state.readings.get(RSSI)
-        return -math.inf if last is None else last.at + self._antenna.rotator.features[RSSI].cost.min_interval_s
+    def features(self, ids: Sequence[str]) -> Mapping[str, Reading]:
+        """Read features, show and return what was told: also what the same answers told of others.
+
+        CommandRefused and NoReply (`garbage`, `no_row`) where the machine does not tell.
+        """
+        readings = self._antenna.rotator.read(ids)
+        self.note(readings)
+        return readings
+
+    def not_before(self, feature: str) -> float:
+        """When the machine may be asked for a feature again, in monotonic seconds."""
+        last = self._store.state.readings.get(feature)
+        return -math.inf if last is None else last.at + self._antenna.rotator.features[feature].cost.min_interval_s
 
     def note(self, readings: Mapping[str, Reading]) -> None:
         """Show what features the machine has just told."""

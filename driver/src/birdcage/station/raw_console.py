@@ -143,9 +143,15 @@ class RawConsole:
     # How it is done: nothing below is called from outside.
 
     def _end_excursion(self) -> None:
-        away, raw = self._watches.excursion is not None, self._antenna.raw
-        self._watches.end_excursion()
-        if raw is not None and away and self._store.state.link.state is LinkPhase.UP and self._reader.may_leave:
+        watches, rotator, raw = self._watches, self._antenna.rotator, self._antenna.raw
+        away, others = watches.excursion is not None, watches.is_away
+        watches.end_excursion()
+        watches.is_away = False
+        if raw is None or self._store.state.link.state is not LinkPhase.UP:
+            return
+        if others:
+            rotator.catch_up()  # a stream may have ended a moment ago
+        if (away or others) and self._reader.may_leave:
             raw.go_home()  # where a person expects to be
 
     def _take_console(self, holder: str) -> str | None:

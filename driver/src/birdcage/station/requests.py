@@ -234,7 +234,12 @@ class ReleaseLease:
 
 @dataclass(frozen=True, slots=True)
 class Watch:
-    """Somebody looks at these features (`position`, `rssi`, `health`), `rate_hz` times a second at most."""
+    """Somebody looks at these, `rate_hz` times a second at most, and within the budget of the wire.
+
+    Features of the dish by id (`StationState.dish.features`), `position`, and `health`: all features that a machine
+    marks as telling how well it is, each at its own interval. What the machine lacks is not read. `ReadingRead` and
+    `StationState.readings` tell; a signal (`rssi`) comes in short bursts, whatever the rate.
+    """
 
     watcher: str
     features: frozenset[str]

@@ -6,6 +6,7 @@ import math
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.rotator.feature import RSSI
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.state_store import StateStore
 from birdcage.station.watches import RSSI_PERIOD_S, RSSI_READS, Watches
@@ -50,6 +51,7 @@ class SignalExcursion:
         if moves or not self._antenna.rest.rests or not self._watches.may_begin(now):
             return False
         self._begun_at, self.under_way = now, True
+        self._watches.begin([RSSI] * RSSI_READS, now)
         self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
         return True
 
@@ -68,6 +70,9 @@ class SignalExcursion:
 
     def _read(self) -> None:
         """Read once; the last time, come back to the motor menu. NoReply where the dish does not answer."""
+        excursion = self._watches.excursion
+        assert excursion is not None, "it is under way"
+        excursion.todo.popleft()
         try:
             self._reader.signal()
         except CommandRefused as refused:
@@ -80,7 +85,7 @@ class SignalExcursion:
             self.under_way = False
             self._watches.end_excursion()
             raise
-        self._watches.rssi_was_read(self._store.clock.monotonic(), self._reader.signal_not_before)
+        self._watches.was_asked(RSSI, self._store.clock.monotonic(), not_before=self._reader.not_before(RSSI))
         if self._watches.excursion is None:
             self.end()
 

@@ -12,7 +12,18 @@ from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
 from birdcage.base.reason import Reason
 from birdcage.rotator import machines
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, WELL_FORMED, Feature, FeatureKind, Reading, Value, Writer
+from birdcage.rotator.feature import (
+    END_TV_SEARCH,
+    HEALTH,
+    POSITION,
+    TV_SEARCH,
+    WELL_FORMED,
+    Feature,
+    FeatureKind,
+    Reading,
+    Value,
+    Writer,
+)
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.rotator import Rotator
 from birdcage.station.requests import Goto, Read
@@ -70,6 +81,8 @@ class FeatureContract:
             require(
                 name == each.id and WELL_FORMED.fullmatch(name), f"{name!r} is no id: small letters, digits, _ and ."
             )
+            require(name not in (POSITION, HEALTH), f"{name} is what faces watch for; no feature may have that id")
+            require(each.health is None or each.is_readable, f"{name} tells of its health, and can't be read")
             require(each.label, f"{name} has no label")
             once = each.writer is Writer.AT_ONCE
             require(

@@ -9,6 +9,7 @@ from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut
 from birdcage_tui.panes.link_strip import ROWS, draw_link_strip
+from birdcage_tui.shown.hardware import hardware_is_well, hardware_words
 from birdcage_tui.shown.state_words import LINK, SEARCH, age_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -42,6 +43,11 @@ class HealthPane(Pane):
         facts = self.facts(view)
         if cells.height >= len(facts) + ROWS:
             draw_link_strip(cells, cells.height - ROWS, view)
+        low = len(facts) > cells.height
+        if low:  # one row for firmware and hardware
+            marks = {name: mark for mark, name, _value in facts}
+            facts = [(marks["hardware"] if name == "firmware" else mark, name, value) for mark, name, value in facts]
+            facts = [fact for fact in facts if fact[1] != "hardware"]
         columns = 2 if cells.width >= 64 and len(facts) > cells.height else 1
         if columns == 1 and len(facts) > cells.height:
             facts = facts[: cells.height]
@@ -52,9 +58,20 @@ class HealthPane(Pane):
             cells.put(x + 1, y, glyph, ink)
             cells.put(x + 3, y, name, "dim")
             room = max(width - 14, 0)
-            values = _feed(view.state) if name == "feed" else (value,)
+            values = self._values(name, value, view, low=low)
             fitting = next((words for words in values if cell_len(words) <= room), values[-1])
             cells.put(x + 13, y, cut(fitting, room), "text")
+
+    @staticmethod
+    def _values(name: str, value: str, view: View, *, low: bool) -> tuple[str, ...]:
+        """Return what is said of a fact, from all that there is to say to the least."""
+        if name == "feed":
+            return _feed(view.state)
+        if name == "hardware":
+            return hardware_words(view)
+        if name == "firmware" and low:
+            return tuple(value if words == "--" else f"{value}, {words}" for words in hardware_words(view))
+        return (value,)
 
     @staticmethod
     def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:
@@ -95,6 +112,7 @@ class HealthPane(Pane):
             told,
             (ok if state.el_min_deg is not None else _UNKNOWN, "limits", limits),
             (_UNKNOWN, "firmware", state.firmware_version or "--"),
+            ({True: ok, False: _NO, None: _UNKNOWN}[hardware_is_well(view)], "hardware", hardware_words(view)[0]),
             (_UNKNOWN, "feed", _feed(state)[0]),
             (_UNKNOWN, "offsets", offset),
         ]

@@ -9,6 +9,7 @@ from typing import cast
 from birdcage.setup.case import Cause
 from birdcage.setup.step import Choice, Mark, StepView
 from birdcage.setup.wiring import connectors_of
+from birdcage.station.state import LinkPhase
 from textual.app import ComposeResult
 from textual.containers import Container, Vertical, VerticalScroll
 from textual.widgets import Input
@@ -24,12 +25,15 @@ from birdcage_tui.setup.host import SetupHost
 from birdcage_tui.setup.layout import SetupLayout, lay_out
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.setup.words import StepText, StepWords
+from birdcage_tui.shown.hardware import hardware_words
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View
 
 HERE = Choice("here", "enter", "Go to this step")
 HAND_STEPS = ("north", "first")
 """Steps at which a person may want to move the dish by hand."""
+HARDWARE_STEPS = ("dish", "home")
+"""Where the dish's own word on its hardware matters: before its motors are used."""
 HIDDEN_S = 1.0
 """Between two looks at what is under way, whatever page is seen."""
 AGAIN = "To repeat a step, select it with the arrows and press Enter. Home the dish after each power-up."
@@ -233,7 +237,8 @@ class SetupBody(SetupLayout):
             and not step.busy
             and self.query_one("#setup-steps", StepsPane).cuts(step),
             news=_finished(self.views) if present and self.engine.finished and not step.busy else (),
-            extra=_asides(self.answers(), step, view) if present else (self._only_looking(view),),
+            extra=_hardware(step, view)
+            + (_asides(self.answers(), step, view) if present else (self._only_looking(view),)),
             note=self.note,
         )
         extra.kind, extra.causes, extra.chosen, extra.place = kind, self.causes, self.chosen, view.settings.place
@@ -251,6 +256,12 @@ def _finished(views: Sequence[StepView]) -> tuple[str, ...]:
     skipped = [step.title for step in views if step.mark is Mark.SKIPPED]
     left = f", but for {', '.join(skipped)} (skipped)" if skipped else ""
     return (f"The setup is complete{left}. 1 shows the sky, 2 moves the dish by hand.", AGAIN)
+
+
+def _hardware(step: StepView, view: View) -> tuple[str, ...]:
+    """Return what the dish tells of its own health, at the steps that begin to use it; nothing without a link."""
+    told = step.name in HARDWARE_STEPS and view.state.link.state is LinkPhase.UP
+    return (f"Hardware: {hardware_words(view)[0]}",) if told else ()
 
 
 def _asides(answers: Sequence[Choice], step: StepView, view: View) -> tuple[str, ...]:

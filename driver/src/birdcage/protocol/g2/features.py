@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
-from birdcage.protocol.motors import MOTORS, by_name
+from birdcage.protocol.motors import AZIMUTH, ELEVATION, MOTORS, by_name
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
@@ -19,6 +19,7 @@ from birdcage.rotator.feature import (
     Cost,
     Feature,
     FeatureKind,
+    HealthMark,
     Range,
     Value,
     Writer,
@@ -30,6 +31,8 @@ if TYPE_CHECKING:
     from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 
 RSSI_READS = 10
+OK, FAULT = "OK", "FAULT"
+"""As the dish prints what the fault pins of its motor drivers say."""
 _IDENTITY = {VERSION: "Software", "antenna_id": "Antenna ID", "system_id": "System ID"}
 _SEARCH_HAZARD = (
     "This saves NVS 20 in the dish's flash memory, after a backup of all its settings, and counts from the next "
@@ -76,6 +79,26 @@ def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
     return _named(dish.read_speeds())
 
 
+def _driver(axis: Axis) -> FeatureRow:
+    """Return the row of the fault pin of an axis' motor driver (docs/reference/g2-commands.md, *A3981>*)."""
+    feature = Feature(
+        driver_of(axis.name), f"Driver of the {axis.name} motor ({OK} or {FAULT})", "", FeatureKind.TEXT,
+        cost=Cost(1, "a3981", 5.0), health=HealthMark(f"{axis.role.name.lower()} driver", good=(OK,)),
+    )  # fmt: skip
+    return FeatureRow(feature, _drivers)
+
+
+def driver_of(axis: str) -> str:
+    """Return the id of what the fault pin of an axis' motor driver says."""
+    return f"driver.{axis}"
+
+
+def _drivers(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    faults = dish.drivers.faults()
+    by_axis = {AZIMUTH: faults.azimuth, ELEVATION: faults.elevation}
+    return {driver_of(axis): FAULT if fault else OK for axis, fault in by_axis.items()}
+
+
 def _tv_search(dish: CarryoutG2Protocol) -> dict[str, Value]:
     return {TV_SEARCH: dish.read_nvs(DISABLE_TRACKER).saved != "TRUE"}
 
@@ -96,10 +119,14 @@ def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
             lambda dish: {"snr": dish.tuner.snr_db()},
         ),
         FeatureRow(
-            Feature("lnb_supply", "Supply of the LNB", "V", FeatureKind.NUMBER, Range(0.0, 30.0), cost=Cost(2, "dvb",
-            5.0)),
+            Feature(
+                "lnb_supply", "Supply of the LNB", "V", FeatureKind.NUMBER, Range(0.0, 30.0), cost=Cost(2, "dvb", 5.0),
+                health=HealthMark("LNB"),
+            ),
             lambda dish: {"lnb_supply": dish.tuner.lnb_volts()},
         ),
+        _driver(azimuth),
+        _driver(elevation),
         _speed(azimuth),
         _speed(elevation),
         FeatureRow(Feature(VERSION, "Firmware version", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
