@@ -78,7 +78,7 @@ class House:
     async def rest(self, seconds=90.0):
         """Wait until nothing is under way any more, and the dish has told where it is."""
         end = self.clock.monotonic() + seconds
-        while self.app.under_way or self.guide.busy:
+        while self.app.motions.under_way or self.guide.busy:
             assert self.clock.monotonic() < end, self.text()
             await self.step(0.5)
         await self.step(2.0)
@@ -104,9 +104,9 @@ class House:
     async def peak_up(self):
         """Nudge with the arrows, in steps that grow smaller, until the beam is on the object."""
         for step_deg in (5.0, 1.0, 0.2, 0.05):
-            while self.app.step_deg > step_deg:
+            while self.app.motions.step_deg > step_deg:
                 await self.pilot.press("minus")
-            while self.app.step_deg < step_deg:
+            while self.app.motions.step_deg < step_deg:
                 await self.pilot.press("plus")
             for _ in range(12):
                 right, up = self.off()

@@ -135,7 +135,7 @@ class Storm:
         if app.calibrate.source is not None:
             app.calibrate.source.step()
         self.met[type(app.screen).__name__] += 1
-        self.met[app.page.id if not app.folded else "pocket"] += 1
+        self.met[app.page.id if not app.stage.folded else "pocket"] += 1
         if self._stops - stops < sum(name == "ctrl+c" for name in names):
             self.note("a Ctrl+C was no STOP")
         spent = [self._fates.get(id(key), "") for key in keys]

@@ -74,7 +74,7 @@ async def test_stop_in_mid_way_holds_and_nothing_goes_on_after_it(house):
     await house.step(3.0)
     assert not house.device.truth().moving
     assert house.station.state.held is not None
-    assert not house.app.under_way
+    assert not house.app.motions.under_way
     where = house.device.truth()
     await house.press("right")
     await house.step(3.0)
@@ -99,7 +99,7 @@ async def test_stop_before_the_order_reaches_the_guide_counts_for_it(house):
     await house.pilot.press("space")
     await house.step(5.0)
     assert house.device.truth().az_deg == where.az_deg
-    assert not house.app.under_way
+    assert not house.app.motions.under_way
     assert "HELD" in house.now.wrong
 
 

@@ -30,11 +30,11 @@ def test_keys_ask_for_what_they_say():
             ("undo",), ("refresh",),
         ]  # fmt: skip
         ways = [each for one in source.asked for each in one if isinstance(each, Future)]
-        assert app.under_way == set(ways), "Esc stops until they are at their end"
+        assert app.motions.under_way == set(ways), "Esc stops until they are at their end"
         assert app.view().may_move
         for way in ways:
             way.set_result(None)
-        assert not app.under_way
+        assert not app.motions.under_way
 
     run(play)
 

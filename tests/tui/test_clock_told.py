@@ -50,7 +50,7 @@ def test_a_doubt_says_what_a_second_costs():
 
 def run(told, size, name="idle"):
     async def show(app, pilot):
-        app._hear_clock(told)
+        app.feeds.hear_clock(told)
         app.paint()
         await pilot.pause()
         await pilot.pause()
@@ -89,7 +89,7 @@ def test_row_two_has_it_at_every_size(size):
 )
 def test_the_pocket_view_has_only_a_doubt_and_has_it_whole(verdict, row):
     async def show(app, pilot):
-        app._hear_clock(clock_told(verdict))
+        app.feeds.hear_clock(clock_told(verdict))
         app.paint()
         await pilot.pause()
         return [each.strip() for each in stand_in.text_of(app).splitlines()]

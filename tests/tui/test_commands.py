@@ -45,9 +45,9 @@ def test_ten_presses_of_a_jog_key_are_ten_steps(key):
 def test_the_step_goes_from_a_hundredth_to_ten_degrees_and_no_further():
     async def change(app, pilot):
         await pilot.press(*["minus"] * 8)
-        small = app.step_deg
+        small = app.motions.step_deg
         await pilot.press(*["plus"] * 12)
-        return small, app.step_deg
+        return small, app.motions.step_deg
 
     assert run(change) == (STEPS_DEG[0], STEPS_DEG[-1]) == (0.01, 10.0)
 

@@ -20,10 +20,10 @@ def test_it_lies_inside_the_screen_and_covers_neither_status_nor_footer(name, si
     async def regions(at):
         await at.look()
         app = at.app
-        parts = [*app.sheet.query("*")]
+        parts = [*app.stage.sheet.query("*")]
         rows = {kind: app.query_one(kind).region for kind in (TopRow, BadDayRow, KeyBar)}
         seen = [(part, part.region) for part in parts if part.display]
-        return app.sheet.region, seen, rows, app.query_one("#stage").region
+        return app.stage.sheet.region, seen, rows, app.query_one("#stage").region
 
     whole, parts, rows, stage = desk(regions, name, size)
     assert stage.contains_region(whole)
@@ -40,10 +40,10 @@ def test_it_lies_inside_the_screen_and_covers_neither_status_nor_footer(name, si
 @pytest.mark.parametrize("size", SIZES[:1], ids=str)
 def test_every_key_of_the_log_can_be_clicked_at_every_size(size):
     async def clicked(at):
-        hot = {command for _, command in at.app.sheet._keys.hot}
+        hot = {command for _, command in at.app.stage.sheet._keys.hot}
         await at.press("i")
         await at.look()
-        return hot, {command for _, command in at.app.sheet._keys.hot}
+        return hot, {command for _, command in at.app.stage.sheet._keys.hot}
 
     log, line = desk(clicked, size=size)
     assert log >= {"console-type", "console-find", "console-stamps", "console-hex", "console-save", "page-console"}
@@ -71,7 +71,7 @@ def test_at_rest_it_closes_and_gives_the_focus_back(key):
     async def close(at):
         await at.press(key)
         await at.pilot.pause()
-        return at.app.sheet.is_open, at.app.focused, at.app.scopes()[0].scope
+        return at.app.stage.sheet.is_open, at.app.focused, at.app.scopes()[0].scope
 
     assert desk(close) == (False, None, "dashboard")
 
@@ -79,7 +79,7 @@ def test_at_rest_it_closes_and_gives_the_focus_back(key):
 def test_escape_stops_first_while_the_dish_moves():
     async def stop(at):
         await at.press("escape")
-        return at.app.station.stops, at.app.sheet.is_open
+        return at.app.station.stops, at.app.stage.sheet.is_open
 
     assert desk(stop, "slewing") == (["you"], True)
 
@@ -90,7 +90,7 @@ def test_digits_are_typed_and_function_keys_change_the_page_under_the_open_conso
         typed = at.line.value
         await at.press("f4")
         await at.pilot.pause()
-        return typed, at.app.query_one("#pages", ContentSwitcher).current, at.app.sheet.is_open, at.app.focused
+        return typed, at.app.query_one("#pages", ContentSwitcher).current, at.app.stage.sheet.is_open, at.app.focused
 
     typed, page, is_open, focused = desk(digits)
     assert (typed, page, is_open) == ("1234", "page-system", True)
@@ -125,9 +125,9 @@ def test_after_a_go_to_from_the_log_escape_still_closes_the_console():
     async def go(at):
         await at.press("g", "escape")
         await at.look()
-        open_still, focused = at.app.sheet.is_open, at.app.focused
+        open_still, focused = at.app.stage.sheet.is_open, at.app.focused
         await at.press("escape")
-        return open_still, focused, at.app.sheet.is_open
+        return open_still, focused, at.app.stage.sheet.is_open
 
     open_still, focused, is_open = desk(go)
     assert open_still

@@ -94,7 +94,7 @@ def test_a_thousand_lines_are_one_picture():
         for line in numbered(1000):
             at.wire("<", line)
         quiet = len(drawn)
-        at.app.sheet._flush()
+        at.app.stage.sheet._flush()
         return quiet, len(drawn), at.log.back.taken
 
     assert desk(flood) == (0, 1, 1000)

@@ -94,11 +94,11 @@ def test_what_the_station_sends_back_as_worse_returns_to_the_line_and_is_not_sen
     async def refused(at):
         at.state(holder=CONSOLE, menu="mot")
         failed = Future()
-        submit, at.app.sheet._sent._submit = at.app.sheet._sent._submit, lambda request: failed
+        submit, at.app.stage.sheet._sent._submit = at.app.stage.sheet._sent._submit, lambda request: failed
         await at.type("a")
         await at.press("enter")
         failed.set_exception(ConfirmationNeeded("`a` was not sent. It would do worse now."))
-        at.app.sheet._sent._submit = submit
+        at.app.stage.sheet._sent._submit = submit
         await at.pilot.pause()
         return await at.look(), at.line.value, at.raw()
 
@@ -157,7 +157,7 @@ def waiting_answers(at):
         answers.append(Future())
         return answers[-1]
 
-    at.app.sheet._sent._submit = submit
+    at.app.stage.sheet._sent._submit = submit
     return answers
 
 
@@ -254,7 +254,7 @@ def test_a_line_that_failed_is_told_and_comes_back(error):
     async def fail(at):
         at.state(holder=CONSOLE, menu="mot")
         failed = Future()
-        at.app.sheet._sent._submit = lambda request: failed
+        at.app.stage.sheet._sent._submit = lambda request: failed
         await at.type("a")
         await at.press("enter")
         failed.set_exception(error)

@@ -139,7 +139,7 @@ async def test_escape_stops_what_a_raw_line_set_in_motion(at):
     await at.press("escape")
     await at.step(3)
     assert at.station.state.held is not None
-    assert at.app.sheet.is_open
+    assert at.app.stage.sheet.is_open
 
 
 @talked
@@ -149,7 +149,7 @@ async def test_escape_is_no_stop_while_somebody_only_talks(at):
     await at.press("escape", "escape")
     await at.step(2)
     assert at.station.state.held is None
-    assert not at.app.sheet.is_open
+    assert not at.app.stage.sheet.is_open
     assert at.station.state.holder is None
 
 

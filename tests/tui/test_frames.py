@@ -15,10 +15,10 @@ def run(look, **settings):
         app = stand_in.app_in("slewing", **settings)
         async with app.run_test(size=(80, 24)) as pilot:
             await pilot.pause()
-            app._frames.stop()
-            if app._soon is not None:
-                app._soon.stop()
-                app._soon = None
+            app.frames._beat.stop()
+            if app.frames._soon is not None:
+                app.frames._soon.stop()
+                app.frames._soon = None
             return look(app)
 
     return asyncio.run(main())
@@ -27,19 +27,19 @@ def run(look, **settings):
 def painted_in(app, seconds, *, step_s=0.01):
     """Let something ask for a frame all the time, on a clock of our own; return how many were drawn."""
     frames = []
-    app._painted, app.now_s = 0.0, 0.0
-    app._loop_time = lambda: app.now_s
+    app.frames._painted, app.now_s = 0.0, 0.0
+    app.frames.now_s = lambda: app.now_s
     app.set_timer = lambda *_: None  # the next call asks again
 
     def paint():
         frames.append(app.now_s)
-        app._painted = app.now_s
+        app.frames._painted = app.now_s
 
-    app.paint = paint
+    app.frames._paint = paint
     for _ in range(round(seconds / step_s)):
         app.now_s += step_s
-        app._soon = None
-        app._changed()
+        app.frames._soon = None
+        app.frames.changed()
     return len(frames)
 
 
@@ -49,7 +49,7 @@ def test_frames_are_no_more_than_the_setting_allows(update_hz, least, most):
 
 
 def test_the_beat_of_a_motion_is_the_setting_too():
-    assert run(lambda app: app._frames._interval, update_hz=4.0) == 0.25
+    assert run(lambda app: app.frames._beat._interval, update_hz=4.0) == 0.25
 
 
 def test_no_frame_is_drawn_while_one_waits_to_be_written():

@@ -39,7 +39,7 @@ async def stands(app, pilot, az_deg, el_deg, after_s=0.5):
     """Let the dish rest there, read just now, some time later."""
     clock, state = app.session.clock, app.station.state
     clock.advance(after_s)
-    app.under_way.clear()
+    app.motions.under_way.clear()
     position = replace(state.position, az_deg=az_deg, el_deg=el_deg, at=clock.monotonic())
     link = replace(state.link, last_reply=clock.monotonic())
     app.station.state = replace(state, position=position, link=link)
@@ -140,7 +140,7 @@ def test_each_rest_after_a_jog_is_a_point_while_recording():
 def test_a_dish_that_is_not_read_after_the_jog_gives_no_point():
     async def record(app, pilot):
         await pilot.press("M", "right")
-        app.under_way.clear()
+        app.motions.under_way.clear()
         for _ in range(3):
             app.session.clock.advance(0.55)  # the position stays the one from before
             await settled(app, pilot)

@@ -48,7 +48,7 @@ def test_a_palette_does_one_command():
         (provider,) = [each for each in app.screen._providers if isinstance(each, CommandProvider)]
         provider._do(BY_NAME["step-up"])
         provider._do(BY_NAME["step-up"])
-        return app.step_deg
+        return app.motions.step_deg
 
     assert run(body) == 2.0
 

@@ -25,7 +25,7 @@ def test_ctrl_q_stops_what_moves_and_ends_well(name, stops):
 @pytest.mark.parametrize(("state", "stops"), [("idle", []), ("slewing", ["signal", "signal"])])
 def test_a_signal_stops_what_moves_and_ends_with_its_status(state, stops):
     async def send(pilot):
-        pilot.app.end_by_signal(15)
+        pilot.app.ending.by_signal(15)
         assert pilot.app.station.stops == stops[:1], "from the thread of the signals, whatever the app's own one does"
 
     assert asyncio.run(after(state, send)) == (stops, 143)
@@ -34,7 +34,7 @@ def test_a_signal_stops_what_moves_and_ends_with_its_status(state, stops):
 def test_a_signal_before_the_app_ends_it_as_soon_as_it_is_there():
     async def begin():
         app = stand_in.app_in("idle")
-        app.end_by_signal(15)
+        app.ending.by_signal(15)
         async with app.run_test() as pilot:
             await pilot.pause(0.1)
             assert not app.is_running
@@ -60,7 +60,7 @@ def test_an_end_while_a_layer_is_being_made_is_no_error():
             write(app, "question_mark")
             for _ in range(turns):
                 await asyncio.sleep(0)
-            app.leave(status=143)
+            app.ending.leave(status=143)
             await asyncio.sleep(1.0)
         return app.return_code
 

@@ -7,7 +7,7 @@ import stand_in
 from birdcage.station.requests import Watch
 from birdcage_tui.commands import COMMANDS, PAGES
 from birdcage_tui.pages.register import MADE
-from birdcage_tui.shell import paging
+from birdcage_tui.shell import page_stage
 from burst import settle, write
 from textual.widgets import ContentSwitcher
 
@@ -17,7 +17,7 @@ NAMES = {name for name, _, _ in PAGES}
 @pytest.fixture
 def slow_control(monkeypatch):
     """The control page takes its time on the first visit, as on a small computer."""
-    make = paging.make_page
+    make = page_stage.make_page
 
     def made(name):
         page = make(name)
@@ -31,7 +31,7 @@ def slow_control(monkeypatch):
             page._compose = late
         return page
 
-    monkeypatch.setattr(paging, "make_page", made)
+    monkeypatch.setattr(page_stage, "make_page", made)
 
 
 def after(*keys, size=(80, 24)):
@@ -48,7 +48,7 @@ def after(*keys, size=(80, 24)):
             return (
                 switcher.current,
                 [page.id for page in switcher.children if page.display],
-                app.sheet is not None and app.sheet.is_open,
+                app.stage.sheet is not None and app.stage.sheet.is_open,
                 app.station.asked_for(Watch)[-1].watcher,
                 stand_in.text_of(app),
             )

@@ -125,7 +125,7 @@ def test_jogging_by_key_and_by_thumb(size):
         await click(app, pilot, "-]" if size == (40, 12) else "│-│")
         await click(app, pilot, "▼")
         await click(app, pilot, "[+" if size == (40, 12) else "│+│")
-        return [(each.d_az_deg, each.d_el_deg) for each in app.station.asked_for(Jog)], app.step_deg
+        return [(each.d_az_deg, each.d_el_deg) for each in app.station.asked_for(Jog)], app.motions.step_deg
 
     jogs, step_deg = run(jog, size=size)
     assert jogs == [(-0.5, 0.0), (0.0, 0.5), (0.5, 0.0), (0.0, -0.2)]

@@ -42,7 +42,7 @@ def test_a_search_that_moves_the_dish_is_ended_by_a_thumb():
 
 def test_what_is_missing_has_a_button_in_the_pocket_view():
     async def add(app, pilot):
-        app.ready.take((Check("place", "place", "must", "not set", "birdcage place add"),))
+        app.feeds.ready.take((Check("place", "place", "must", "not set", "birdcage place add"),))
         app.settings = replace(app.settings, place=None, keep_place=lambda *_: None)
         app.paint()
         await pilot.pause()

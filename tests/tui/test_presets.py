@@ -155,7 +155,7 @@ def test_the_filter_narrows_by_name_and_note_and_esc_clears_it(path, size):
         chosen, focused = app.query_one(PresetsPane).chosen(), app.focused.id
         await pilot.press("enter")
         asked = app.station.asked_for(Goto)
-        app.under_way.clear()  # the dish has arrived: Esc is no STOP then
+        app.motions.under_way.clear()  # the dish has arrived: Esc is no STOP then
         await pilot.press("slash", "escape")
         return narrowed, chosen, focused, asked, await settled(app, pilot)
 

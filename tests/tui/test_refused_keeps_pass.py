@@ -60,7 +60,7 @@ def test_enter_on_a_preset_beyond_the_limit_says_so_and_the_pass_goes_on(tmp_pat
 def test_a_step_beyond_the_limit_says_so_and_the_pass_goes_on(tmp_path):
     async def step(house):
         await follow(house)
-        house.app.step_deg = 90.0
+        house.app.motions.step_deg = 90.0
         await house.press("up")
         return await go_on(house)
 

@@ -10,7 +10,7 @@ from birdcage.station.events import PositionRead, ReadingRead
 from birdcage.station.requests import AcceptLimits, Home, Jog, Unwatch, Watch
 from birdcage.station.state import HeldState
 from birdcage_tui.commands import COMMANDS, PAGES, in_force
-from birdcage_tui.shell.shell import FRESH_S, LISTEN_S
+from birdcage_tui.shell.frame_pacer import FRESH_S, LISTEN_S
 from birdcage_tui.widgets.messages import StationEvent
 from stage import run
 from textual.widgets import ContentSwitcher, Input
@@ -274,10 +274,10 @@ def test_a_failed_request_is_told_in_its_own_words():
 def test_frames_run_only_while_something_moves():
     async def frames(app, pilot):
         app.paint()
-        at_rest = app._frames._active.is_set()
+        at_rest = app.frames._beat._active.is_set()
         app.station.state = stand_in.slewing(app.session.clock)
         app.paint()
-        return at_rest, app._frames._active.is_set()
+        return at_rest, app.frames._beat._active.is_set()
 
     assert run(frames) == (False, True)
 
@@ -347,9 +347,9 @@ def test_a_second_draws_only_where_the_dish_has_not_made_for_a_frame(age_s, draw
     async def rest(app, pilot):
         await pilot.pause()
         frames = []
-        monkeypatch.setattr(app, "_changed", lambda: frames.append(1))
-        app._painted = app._loop_time() - age_s
-        app._second()
+        monkeypatch.setattr(app.frames, "changed", lambda: frames.append(1))
+        app.frames._painted = app.frames.now_s() - age_s
+        app.frames._second()
         assert len(frames) == drawn
 
     run(rest, "idle")

@@ -231,7 +231,7 @@ def test_help_says_what_the_tab_is_for():
 
 def test_following_draws_when_the_dish_was_looked_at_and_not_between():
     async def pace(app, _pilot, _desk):
-        return app._frames._active.is_set(), app.view().moving
+        return app.frames._beat._active.is_set(), app.view().moving
 
     assert run(pace) == (False, True)
 

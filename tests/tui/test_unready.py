@@ -52,7 +52,7 @@ class Found:
 
 def play(test, *checks, size=(80, 24), name="idle", **options):
     async def begin(app, pilot):
-        app.ready.take(checks)
+        app.feeds.ready.take(checks)
         app.paint()
         await pilot.pause()
         return await test(app, pilot)
@@ -70,7 +70,7 @@ async def told(app, _pilot):
 def test_the_worst_is_named_with_its_key_until_it_is_mended(size):
     async def through(app, pilot):
         before = await told(app, pilot)
-        app.ready.take(())
+        app.feeds.ready.take(())
         app.paint()
         await pilot.pause()
         return before, await told(app, pilot)

@@ -126,14 +126,14 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
             stack.callback(ControlServer(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
-        app.take_signal = signals.take
-        signals.tell(app.end_by_signal, lambda: _end_stuck(app))
+        app.ending.take_signal = signals.take
+        signals.tell(app.ending.by_signal, lambda: _end_stuck(app))
         try:
             app.run()
         finally:
             signals.leave(QUIT_S)
             farewell = _finish(app)
-        if app.anew and signals.number is None:
+        if app.ending.anew and signals.number is None:
             return None
         say_last(farewell)
         return _status(app)

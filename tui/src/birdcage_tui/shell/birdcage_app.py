@@ -1,318 +1,346 @@
-"""The app: what the commands do. Every deed is a request to the station or a change of what is shown."""
+"""The app: one screen, and the way from the station's events to a frame.
+
+Its parts know one thing each:
+
+- `frame_feeds`: where a frame's data come from; `frame_pacer`: when one is drawn; `appearance`: how it looks.
+- `page_stage`: which page is seen, and what the station reads for it.
+- `key_queue`: what was typed; `deeds`: what a command does; `questions`: what is asked before that.
+- `motions`: what you asked the dish to do; `ending`: how the app ends.
+"""
 
 from __future__ import annotations
 
-import signal
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from dataclasses import replace
-from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
-from birdcage.base.signals import STATUS
-from birdcage.station.requests import (
-    AcceptLimits,
-    AcknowledgeFault,
-    AcquireLease,
-    Goto,
-    Home,
-    Jog,
-    Release,
-    ReleaseLease,
-    Request,
-    SetSearch,
-    Stow,
-    TurnSkew,
-)
+from birdcage.station.events import Event, MoveEnded
+from birdcage.station.requests import Goto, Request
+from textual import events, on
+from textual.app import App, ComposeResult
+from textual.binding import Binding
+from textual.containers import Container
+from textual.driver import Driver
+from textual.filter import LineFilter
+from textual.screen import Screen
+from textual.widgets import ContentSwitcher, Input
 
-from birdcage_tui.commands import BY_NAME, for_key
-from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS, STEPS_DEG
-from birdcage_tui.drawing.themes import LOOKS
+from birdcage_tui import commands
+from birdcage_tui.console.tap import WireTap
+from birdcage_tui.drawing.screen_size import size_classes
+from birdcage_tui.drawing.terminal_cells import aspect_of
+from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.goto.goto_line import GotoLine
-from birdcage_tui.goto.reach import refusal_of
 from birdcage_tui.pages.dashboard import DashboardPage
-from birdcage_tui.shell.adding import ask_elements, ask_place
-from birdcage_tui.shell.shell import Shell
+from birdcage_tui.shell.appearance import Appearance, Ground
+from birdcage_tui.shell.deeds import Deeds
+from birdcage_tui.shell.ending import Ending
+from birdcage_tui.shell.frame_feeds import FrameFeeds
+from birdcage_tui.shell.frame_pacer import FramePacer
+from birdcage_tui.shell.key_queue import KeyQueue
+from birdcage_tui.shell.motions import Motions
+from birdcage_tui.shell.page_stage import PageStage
+from birdcage_tui.shell.questions import Questions
+from birdcage_tui.shell.start_objects import StartObjects
+from birdcage_tui.shell.stopping import driver_for, focused_widget, is_stop_key
+from birdcage_tui.shell.tour import Tour
 from birdcage_tui.shown.options import SitePlace
-from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.stop_words import power_switch
-from birdcage_tui.shown.unready import SETUP, setup_step
-from birdcage_tui.shown.view import YOU, View
-from birdcage_tui.widgets.dialogs import QuestionScreen
-from birdcage_tui.widgets.help import HelpScreen, help_words
-from birdcage_tui.widgets.jump import JumpScreen, JumpTarget, targets
-from birdcage_tui.widgets.messages import CommandChosen
+from birdcage_tui.shown.pursuit import says_nothing_new
+from birdcage_tui.shown.state_words import ended_text
+from birdcage_tui.shown.view import YOU, View, may_move
+from birdcage_tui.widgets.dialogs import Dialog
+from birdcage_tui.widgets.esc_field import EscField
+from birdcage_tui.widgets.footer import KeyBar, PageBar
+from birdcage_tui.widgets.messages import CommandChosen, SkyChanged, StationEvent
 from birdcage_tui.widgets.page import Page
-from birdcage_tui.widgets.palette import Palette
+from birdcage_tui.widgets.palette import CommandProvider
+from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.scope import Scope
+from birdcage_tui.widgets.status import BadDayRow, TopRow
 
-Motion = Goto | Jog | TurnSkew | Home | Stow
+if TYPE_CHECKING:
+    from birdcage.station.session import Session
 
 
-class BirdcageApp(Shell):
+class BirdcageApp(App[None]):
     """A ground station in a terminal."""
 
-    anew = False
-    """Whether the app is to begin again at once, with another session."""
-    _skew_sent: float | None = None
-    """Where the skew was sent last."""
-    _skew_turns: frozenset[Future[object]] | set[Future[object]] = frozenset()
-    """Its turn, while that is not at its end."""
+    TITLE = "birdcage"
+    CSS_PATH = Path(__file__).with_name("app.tcss")
+    AUTO_FOCUS = None
+    ENABLE_COMMAND_PALETTE = False  # Textual's own, over row 1; ours is a command
+    COMMANDS = {CommandProvider}  # noqa: RUF012
+    BINDINGS = [  # noqa: RUF012
+        Binding(key, f"key({key!r})", show=False, priority=priority) for key, priority in commands.KEYS.items()
+    ]
+    """One for each key of the table: what it does depends on what has the focus."""
 
-    ended_by: int | None = None
-    """The signal that ends the app."""
-    take_signal: Callable[[int], object] | None = None
-    """Ends the app as that signal does, and its process if the app does not end; `run` sets it."""
+    def __init__(self, session: Session, settings: AppOptions | None = None) -> None:
+        super().__init__()
+        self.settings = settings or AppOptions()
+        self.session, self.station = session, session.station
+        self._appearance = Appearance(self, self.settings.theme, self.settings.glyphs)
+        self.frames = FramePacer(self, self.paint, 1.0 / self.settings.update_hz)
+        self.stage = PageStage(self, self)
+        self.motions = Motions(self)
+        self.questions = Questions(self, self)
+        self.deeds = Deeds(self, self)
+        self.ending = Ending(self, self)
+        self.tap = WireTap(self.station.is_steering)
+        """What passes on the wire, from the first byte on; the console takes it out."""
+        self.tap_problem = ""
+        """Why nothing of the wire is heard, as a sentence."""
+        self.feeds = FrameFeeds(
+            session, self.settings, self.soon, self.frames.changed,
+            news=self._news, show_sky=lambda sky: self.post_message(SkyChanged(sky)), say=self.say, bell=self.bell,
+        )  # fmt: skip
+        self.presets, self.horizon, self.calibrate = self.feeds.presets, self.feeds.horizon, self.feeds.calibrate
+        self.sky, self.track, self.signals = self.feeds.sky, self.feeds.track, self.feeds.signals
+        self.aim: tuple[float, float] | None = None
+        """Where the go-to line would lead, while one types into it."""
+        self._tour = Tour(self.track.set_autotrack)
+        if not self.settings.tour:
+            self._tour.end()
+        self._unsubscribe: Callable[[], None] | None = None
+        self.keys = KeyQueue(self, super().on_event, self.stop_key, self._stopped)
+        self._start_objects = StartObjects()
+
+    def get_driver_class(self) -> type[Driver]:
+        """Return the driver of this terminal, with STOP in front."""
+        return driver_for(super().get_driver_class())
+
+    def get_default_screen(self) -> Screen[None]:
+        """Return the screen under everything."""
+        return Ground(id="_default")
+
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        """Return what finished rows go through."""
+        return self._appearance.filters(super().get_line_filters())
+
+    def compose(self) -> ComposeResult:
+        """Rows 1 and 2, the pages, the footer."""
+        yield TopRow()
+        yield BadDayRow()
+        with Container(id="stage"), ContentSwitcher(initial="page-dashboard", id="pages"):
+            yield DashboardPage(id="page-dashboard")
+        yield GotoLine()
+        yield from (PageBar(), KeyBar())
 
     def on_mount(self) -> None:
-        """End at once where a signal came before there was an app to end."""
-        if self.ended_by is not None:
-            self.leave("signal", STATUS + self.ended_by)
+        """Show a first frame; the session begins only after it has been painted. A signal may have come before."""
+        self.theme_changed_signal.subscribe(self, self._recolour)
+        self.frames.begin(self._tick, self._rest, lambda: self.feeds.is_late(watched=self.stage.watched))
+        self.call_after_refresh(self._begin)
+        self.ending.leave_by_signal()
+
+    def _begin(self) -> None:
+        self._start_objects.freeze()
+        self.presets.load()
+        self.signals.begin()
+        self._unsubscribe = self.station.subscribe(self._tell)
+        try:
+            self.session.on_wire(self.tap.take_in)
+        except BirdcageError as problem:
+            self.tap_problem = str(problem)
+        self.session.start()
+        self.feeds.begin(self.settings.place)
+        self.stage.watch()
+        if self.settings.first_page != "dashboard":
+            self.show_page(self.settings.first_page)
+        self.paint()
+
+    def _tell(self, event: Event) -> None:
+        """Pass an event on. Runs on the station's thread, and does nothing else there."""
+        self.post_message(StationEvent(event))
+
+    def on_unmount(self) -> None:
+        """Hear no more events, and let go of what was made."""
+        self.feeds.close()
+        if self._unsubscribe is not None:
+            self._unsubscribe()
+        self._start_objects.thaw()
+
+    def note(self, words: str) -> None:
+        """Show what a command did, and keep it with the time; nothing shows nothing."""
+        self.feeds.notes.tell(words, self.session.clock.utc())
+
+    def view(self) -> View:
+        """Return what one frame shows, now."""
+        return self.feeds.frame(
+            self.settings, self.stage, self.motions,
+            tour=self._tour.says, aim=self.aim, typing=isinstance(focused_widget(lambda: self.focused), Input),
+        )  # fmt: skip
+
+    def paint(self) -> None:
+        """Draw a frame; only rows that changed are sent."""
+        if not self.is_running or not self.screen_stack:
+            return
+        self.frames.painted()
+        view, base = self.view(), self.screen_stack[0]
+        with self.batch_update():
+            for part in (
+                *(screen.query_one_optional(TopRow) for screen in self.screen_stack),
+                *(base.query_one_optional(kind) for kind in (BadDayRow, PageBar, KeyBar, GotoLine)),
+                self.stage.open_sheet,
+                self.stage.seen(),
+                *(screen for screen in self.screen_stack if isinstance(screen, Dialog)),
+                base.focused if isinstance(base.focused, EscField) else None,
+            ):
+                if part is not None:  # none is left when the app ends
+                    part.show(view)
+        self.frames.run(animated=view.animated)
+
+    def _rest(self) -> None:
+        """Do what a second asks for where no frame is due; a tour that is still to begin waits for no frame."""
+        if self._tour.running:
+            self._tick()
+        else:
+            self.feeds.keep(self.settings.place)
+
+    def _tick(self) -> None:
+        """Move the tour on and draw: ages and the time have changed."""
+        self._tour.step(self.view())
+        self.feeds.keep(self.settings.place)
+        self.frames.changed()
+
+    def _news(self) -> None:
+        """Draw what was told; a tour that is still to begin waits for no frame."""
+        self.feeds.link_book.hear(self.station.state.link)
+        if self._tour.running:
+            self._tour.step(self.view())
+        self.frames.changed()
+
+    @on(StationEvent)
+    def _hear(self, message: StationEvent) -> None:
+        event = message.event
+        if isinstance(event, MoveEnded) and not says_nothing_new(event, self.station.state):
+            self.note(ended_text(event))
+        self.track.hear(event)
+        self._news()
+
+    @on(SkyChanged)
+    def _see(self, message: SkyChanged) -> None:
+        first, self.sky.now = self.sky.now is None, message.sky
+        if first or message.sky.searched != 1.0:
+            self.frames.changed()  # else the next frame is soon enough: one comes every second
+
+    @on(events.Resize)
+    def _find_aspect(self, event: events.Resize) -> None:
+        """Find out the shape of a character: another font has another."""
+        told = event.pixel_size
+        if told is not None and event.size:
+            aspect = aspect_of(told.width / event.size.width, told.height / event.size.height)
+            if aspect is not None:
+                self.cell_aspect_told(aspect)
+        elif (ask := getattr(self._driver, "ask_cell_size", None)) is not None:
+            ask()
+
+    def cell_aspect_told(self, aspect: float) -> None:
+        """Take what the terminal says of its characters, where no setting says it. Any thread."""
+        self.soon(lambda: self._take_aspect(aspect))
+
+    def _take_aspect(self, aspect: float) -> None:
+        if not self.settings.cell_aspect_set and aspect != self.settings.cell_aspect:
+            self.settings = replace(self.settings, cell_aspect=aspect)
+            self.paint()
+
+    def _recolour(self, _: object) -> None:
+        for pane in self.screen_stack[0].query(Pane):
+            pane.redraw()
+
+    @on(events.Resize)
+    async def _lay_out(self, event: events.Resize) -> None:
+        """Choose the layout."""
+        width, height = event.size  # `self.size` may still be the old one
+        screen = self.screen_stack[0]
+        classes = size_classes(width, height)
+        for name, holds in classes.items():
+            screen.set_class(holds, name)
+        self.set_class(classes["-tiny"], "-tiny")
+        await self.stage.fold(classes["-tiny"], watches=self._unsubscribe is not None)
+        self.call_after_refresh(self.paint)
+
+    def show_page(self, name: str, then: str | None = None) -> None:
+        """Show a page, or slide the console over it; `then` is one of its commands, to be done there."""
+        self.run_worker(self.stage.show(name, then), group="page", exclusive=False)
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
+        self.call_later(work)
+
+    def say(self, words: str) -> None:
+        """Tell what was done, or why not, in one sentence."""
+        self.note(words)
+        self.paint()
+
+    @property
+    def page(self) -> Page:
+        """The page that is seen."""
+        page = self.stage.seen()
+        assert page is not None, "the first page is composed with the app"
+        return page
+
+    def scopes(self) -> tuple[Scope, ...]:
+        """Return whose commands hold now, innermost first."""
+        return self.stage.scopes()
+
+    def typing_changed(self) -> None:
+        """The console's line has the focus, or no longer (also because the app ends, page by page)."""
+        self.stage.typing_changed()
+
+    def stop_key(self, event: events.Key) -> bool:
+        """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""
+        if not is_stop_key(event.key, focused_widget(lambda: self.focused), self.view_may_move):
+            return False
+        self.station.stop(YOU)
+        return True
+
+    def view_may_move(self) -> bool:
+        """Return whether anything moves or may move by itself. Any thread."""
+        if self._tour.running or self.motions.under_way:
+            return True
+        return may_move(self.station.state, self.track.now)
+
+    async def on_event(self, event: events.Event) -> None:
+        """STOP comes before bindings, widgets and frames."""
+        if not await self.keys.take(event):
+            await super().on_event(event)
+
+    def _stopped(self) -> None:
+        self.end_tour()
+        self.note("STOP.")
+        self.frames.changed()
+
+    def end_tour(self) -> None:
+        """Let the demo do nothing by itself any more."""
+        if self._tour.running:
+            self.frames.changed()
+        self._tour.end()
 
     def action_key(self, key: str) -> None:
         """Do what the key means to what has the focus."""
-        command = for_key(key, [scope.scope for scope in self.scopes()])
+        command = commands.for_key(key, [scope.scope for scope in self.scopes()])
         if command is not None:
             self.action_command(command.name)
 
     def action_command(self, name: str) -> None:
         """Do the command, or say why not."""
-        command = BY_NAME[name]
-        reason = command.refused(self.view())
-        if reason is not None:
-            self.say("" if name == "release" else reason)
-            return
-        for scope in self.scopes():
-            if scope.scope in command.where and scope.do(name):
-                return
-        deed = self._deed(name)
-        if deed is not None:
-            deed()
-        else:
-            # Another page's: go there, and do it.
-            self.show_page(command.page or command.where[0], then=name)
-
-    def _deed(self, name: str) -> Callable[[], object] | None:
-        """Return what the app itself does for a command; None for what a page does."""
-        if name == SETUP and isinstance(self.page, DashboardPage) and (step := setup_step(self.view())):
-            return lambda: self.show_page("setup", then=f"look-{step}")
-        if name.startswith("page-"):
-            return lambda: self.show_page(name.removeprefix("page-"))
-        if name in DIRECTIONS:
-            return lambda: self.jog(*DIRECTIONS[name])
-        if name in SKEW_DIRECTIONS:
-            return lambda: self.jog_skew(SKEW_DIRECTIONS[name])
-        deeds: dict[str, Callable[[], object]] = {
-            "stop": self.stop_now,
-            "release": self.release,
-            "goto": self.open_goto,
-            "step-up": lambda: self.change_step(1),
-            "step-down": lambda: self.change_step(-1),
-            "home": self.ask_home,
-            "resume": self.resume,
-            "skew": lambda: self.open_goto("skew "),
-            "search": self.ask_end_search,
-            "help": self.show_help,
-            "jump": self.show_jump,
-            "palette": self.show_palette,
-            "elements-add": lambda: ask_elements(self),
-            "place-set": lambda: ask_place(self),
-            "theme": self.next_theme,
-            "quit": self.leave,
-        }
-        return deeds.get(name)
-
-    def ask(self, request: Request) -> None:
-        """Submit a request; if it fails, the sentence of its error is shown."""
-
-        def done(future: Future[object]) -> None:
-            self.under_way.discard(future)
-            error = None if future.cancelled() else future.exception()
-            if error is not None and self._loop is not None and not self._loop.is_closed():
-                self._loop.call_soon_threadsafe(self.say, str(error))
-
-        if isinstance(request, Motion):
-            reason = refusal_of(request, self.station.state) if self._pursuit_leads else None
-            if reason is not None:
-                self.say(f"Refused: {reason}")
-                return
-            request = self._take_back_with(request)
-        future = self.station.submit(request)
-        if isinstance(request, Motion):
-            self.end_tour()
-            self.under_way.add(future)
-            self.horizon.moved(jog=isinstance(request, Jog))
-        future.add_done_callback(done)
-
-    def begin_way(self) -> Future[object]:
-        """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
-        self.end_tour()
-        self.horizon.moved(jog=False)
-        way: Future[object] = Future()
-        self.under_way.add(way)
-        way.add_done_callback(self.under_way.discard)
-        return way
-
-    def _take_back_with(self, request: Motion) -> Motion:
-        """Take control from your own pursuit with a motion: that it is by hand is word enough that you want it back.
-
-        The station judges first: a pass that is followed is not left for a motion that it refuses.
-        """
-        if not self._pursuit_leads:
-            return request
-        if isinstance(request, Home | Stow):
-            self.station.submit(AcquireLease(YOU, take_over=True))
-            return request
-        return replace(request, take_over=True)
-
-    @property
-    def _pursuit_leads(self) -> bool:
-        pursuit = pursuit_of(self.view())
-        return pursuit is not None and self.station.state.holder == pursuit.holder != YOU
+        self.deeds.do(name)
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line, over whatever page is seen."""
-        self.screen_stack[0].query_one(GotoLine).open(text)
+        self.deeds.open_goto(text)
 
-    def jog(self, az_steps: float, el_steps: float) -> None:
-        """Step from the last commanded target."""
-        self.ask(Jog(az_steps * self.step_deg, el_steps * self.step_deg, YOU))
+    def ask(self, request: Request) -> None:
+        """Submit a request; if it fails, the sentence of its error is shown."""
+        self.motions.ask(request)
 
-    def jog_skew(self, steps: float) -> None:
-        """Step the skew from where it was sent last, so that ten presses are ten steps; within its range."""
-        state = self.station.state
-        here = None if state.position is None else state.position.skew_deg
-        sent = self._skew_sent if any(not each.done() for each in self._skew_turns) else state.target_skew_deg
-        start = here if sent is None else sent
-        if start is None or state.dish is None or state.dish.skew is None:
-            self.say("The skew is unknown. S turns it to an angle.")
-            return
-        low, high = state.dish.skew.min_deg, state.dish.skew.max_deg
-        self.turn_skew(min(max(start + steps * self.step_deg, low), high))
-
-    def turn_skew(self, deg: float) -> None:
-        """Turn the feed about the beam."""
-        self._skew_sent = deg
-        before = set(self.under_way)
-        self.ask(TurnSkew(deg, YOU))
-        self._skew_turns = self.under_way - before
-
-    def ask_end_search(self) -> None:
-        """Ask in words, then end the firmware's TV search."""
-        words = (
-            "This ends the firmware's TV search, and the dish stays in place. "
-            "The search starts again at each power-up. This dish has no setting to disable it."
-        )
-
-        def answered(yes: bool | None) -> None:
-            if yes:
-                self.ask(SetSearch(YOU, disabled=True))
-
-        self.push_screen(QuestionScreen("End the TV search", words, "end it"), answered)
-
-    def change_step(self, by: int) -> None:
-        """Make a jog step larger or smaller."""
-        index = STEPS_DEG.index(self.step_deg) + by
-        self.step_deg = STEPS_DEG[min(max(index, 0), len(STEPS_DEG) - 1)]
-        self.say(f"One step is {self.step_deg:g}°.")
-
-    def stop_now(self) -> None:
-        """STOP."""
-        self.station.stop(YOU)
-        self.end_tour()
-        self.say("STOP.")
-
-    def release(self) -> None:
-        """Acknowledge a fault; with none, let go of HELD; with neither, accept the dish's own limits."""
-        state = self.station.state
-        if state.fault is not None:
-            self.ask(AcknowledgeFault(YOU))
-        elif state.held is not None:
-            self.ask(Release(YOU))
-        elif state.motion_refused_because:
-            self.ask_limits(state.motion_refused_because)
-        self.say("")
-
-    def resume(self) -> None:
-        """Follow again what was interrupted: release first what is held, and go on once that is done."""
-        if self.station.state.held is None:
-            self._resume()
-            return
-
-        def released(future: Future[object]) -> None:
-            error = None if future.cancelled() else future.exception()
-            self.soon(self._resume if error is None else partial(self.say, str(error)))
-
-        self.station.submit(Release(YOU)).add_done_callback(released)
-
-    def _resume(self) -> None:
-        source, now = self.track.source, self.track.now
-        if source is None or now is None:
-            return
-        if self.station.state.holder == YOU:
-            self.ask(ReleaseLease(YOU))
-        if now.resumable is not None:
-            source.resume()
-        else:
-            source.take_up()
-        self.say("")
-
-    def ask_limits(self, because: str) -> None:
-        """Ask in words, then move within the dish's own limits although yours could not be read."""
-        words = (
-            f"{because}\n\nUntil you fix the file, only the dish's own limits apply. Your limits are unknown: "
-            "a wall or a low roof does not stop a motion. Nothing moves now."
-        )
-
-        def answered(yes: bool | None) -> None:
-            if yes:
-                self.ask(AcceptLimits(YOU))
-
-        self.push_screen(
-            QuestionScreen("Move without your own limits", words, "accept the dish's own limits"), answered
-        )
-
-    def ask_home(self) -> None:
-        """Ask in words, then home."""
-        dish = self.station.state.dish
-        takes = "T" if dish is None or dish.homing_s is None else f"In up to {dish.homing_s * 2:.0f} s t"
-        stoppable = dish is not None and dish.homing_stoppable
-        words = f"{takes}he dish turns through its whole range and runs into its end stops. Keep its swing clear."
-        if not stoppable:
-            words += f" Homing can't be stopped: keep a hand on the {power_switch(self.view())}."
-
-        def answered(yes: bool | None) -> None:
-            if yes:
-                self.ask(Home(YOU))
-
-        self.push_screen(QuestionScreen("Home the dish", words, "area is clear: home"), answered)
-
-    def show_help(self) -> None:
-        """Show what can be done here, and do what is chosen there."""
-
-        def chosen(name: str | None) -> None:
-            if name is not None:
-                self.action_command(name)
-
-        self.push_screen(HelpScreen(self.view(), help_words(self.screen.focused, self.page.part)), chosen)
-
-    def show_palette(self) -> None:
-        """Show every command by its name."""
-        if not isinstance(self.screen, Palette):
-            self.push_screen(Palette())
-
-    def show_jump(self) -> None:
-        """Put a letter on everything that can be reached; go to the one that is chosen."""
-
-        def chosen(target: JumpTarget | None) -> None:
-            if target is None:
-                return
-            if target.command is not None:
-                self.action_command(target.command)
-            else:
-                self.screen.set_focus(target.widget)
-                self.paint()
-
-        self.push_screen(JumpScreen(targets(self.screen_stack[0])), chosen)
+    def begin_way(self) -> Future[object]:
+        """Count a motion of yours that somebody else will submit as under way, until what is returned is done."""
+        return self.motions.begin_way()
 
     def move_to(self, place: SitePlace) -> None:
         """Let every page and the search for passes count from another place."""
@@ -320,36 +348,15 @@ class BirdcageApp(Shell):
         for page in self.screen_stack[0].query(Page):
             page.place_changed()
         self.horizon.place_changed()
-        self._keep_sky()
-
-    def next_theme(self) -> None:
-        """Change to the next look, and keep it for the next start."""
-        names = list(LOOKS)
-        self.theme = names[(names.index(self.theme) + 1) % len(names)] if self.theme in names else names[0]
-        if self.settings.keep_theme is not None:
-            try:
-                self.settings.keep_theme(self.theme)
-            except BirdcageError as wrong:
-                self.say(f"The theme was not saved. {wrong}")
+        self.feeds.keep(self.settings.place)
 
     def begin_anew(self) -> None:
-        """End, and begin again with the settings as they are then: the dish is another one than was thought."""
-        self.anew = True
-        self.leave()
+        """End, and begin again with the settings as they are then."""
+        self.ending.begin_anew()
 
-    def leave(self, by: str = YOU, status: int = 0) -> None:
-        """STOP first if anything moves; give the terminal back; `main` closes the session."""
-        self._stop_what_moves(by)
-        self.keys.close()
-        self.sky.close()
-        self.exit(return_code=status)
-
-    def _stop_what_moves(self, by: str) -> None:
-        moving = View(self.station.state, 0.0, self.session.clock.utc(), self.settings).moving
-        # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
-        self.track.close()
-        if moving:
-            self.station.stop(by, leaving=True)
+    def leave(self) -> None:
+        """STOP first if anything moves, and end."""
+        self.ending.leave()
 
     def _handle_exception(self, error: Exception) -> None:
         """End the app by an error. A layer or a page that was still being made when a person left is none."""
@@ -358,15 +365,9 @@ class BirdcageApp(Shell):
         else:
             super()._handle_exception(error)
 
-    def end_by_signal(self, number: int) -> None:
-        """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""
-        self.ended_by = number
-        self._stop_what_moves("signal")
-        self.soon(partial(self.leave, "signal", STATUS + number))
-
     def terminal_gone(self) -> None:
         """End as by SIGHUP: the driver has found the terminal closed. Any thread."""
-        (self.take_signal or self.end_by_signal)(signal.SIGHUP)
+        self.ending.terminal_gone()
 
     @property
     def fault(self) -> Exception | None:
@@ -380,11 +381,11 @@ class BirdcageApp(Shell):
 
     def on_stop_button_pressed(self) -> None:
         """The mouse stops."""
-        self.stop_now()
+        self.deeds.stop()
 
     def on_bad_day_row_pressed(self) -> None:
         """The mouse releases or acknowledges."""
-        self.release()
+        self.deeds.release()
 
     def on_command_chosen(self, event: CommandChosen) -> None:
         """The mouse does what a key does."""
@@ -396,4 +397,4 @@ class BirdcageApp(Shell):
 
     def on_goto_line_skew_sent(self, event: GotoLine.SkewSent) -> None:
         """Turn the skew to what the person typed."""
-        self.turn_skew(event.deg)
+        self.motions.turn_skew(event.deg)

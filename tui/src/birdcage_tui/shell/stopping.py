@@ -53,3 +53,12 @@ def stop_first(base: type[Driver]) -> type[Driver]:
             super().send_message(message)
 
     return StopFirst
+
+
+def driver_for(base: type[Driver]) -> type[Driver]:
+    """Return the platform's driver with STOP in front; ours, which bears bad terminals, in place of Textual's."""
+    if base.__name__ != "LinuxDriver":
+        return stop_first(base)
+    from birdcage_tui.drawing.terminal import TerminalDriver
+
+    return stop_first(TerminalDriver)

@@ -191,7 +191,7 @@ class View:
     @property
     def moving(self) -> bool:
         """Whether the dish is known to move."""
-        return self.state.motion is not None or self.state.activity in MOVING
+        return is_moving(self.state)
 
     @property
     def animated(self) -> bool:
@@ -204,10 +204,7 @@ class View:
 
         What you or somebody at the console asked for has come to its end when nothing moves any more.
         """
-        by_itself = self.state.holder not in (None, CONSOLE, YOU) and self.state.held is None
-        pursued = self.state.pursuit is not None and self.state.pursuit.phase is not Phase.OVER
-        pursued = pursued or (self.track is not None and self.track.autotrack and self.state.held is None)
-        return self.moving or self.asked or self.state.raw_motion or bool(self.tour) or by_itself or pursued
+        return self.asked or bool(self.tour) or may_move(self.state, self.track)
 
     @property
     def to_go_deg(self) -> float | None:
@@ -237,3 +234,16 @@ def _turn_left(az_deg: float, motion: Motion) -> float | None:
     short_deg = shortest_turn(az_deg, motion.to_az_deg)
     beyond = short_deg * motion.az_way_deg < 0 and abs(short_deg) > NEAR_DEG  # nearer, it has overshot a little
     return 360.0 - abs(short_deg) if beyond else abs(short_deg)
+
+
+def is_moving(state: StationState) -> bool:
+    """Return whether the dish is known to move."""
+    return state.motion is not None or state.activity in MOVING
+
+
+def may_move(state: StationState, desk: DeskNow | None) -> bool:
+    """Return whether the dish moves, or may without a word of yours: by a raw line, another holder or a pursuit."""
+    by_itself = state.holder not in (None, CONSOLE, YOU) and state.held is None
+    pursued = state.pursuit is not None and state.pursuit.phase is not Phase.OVER
+    pursued = pursued or (desk is not None and desk.autotrack and state.held is None)
+    return is_moving(state) or state.raw_motion or by_itself or pursued

@@ -1,0 +1,164 @@
+"""What each command does: a request to the station, a dialog, another page, or a command of the page that is seen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Protocol
+
+from birdcage.base.errors import BirdcageError
+from birdcage.station.requests import AcknowledgeFault, Release
+from birdcage.station.station import Station
+from textual.app import App
+
+from birdcage_tui import commands
+from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS
+from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.goto.goto_line import GotoLine
+from birdcage_tui.pages.dashboard import DashboardPage
+from birdcage_tui.shell.appearance import next_theme
+from birdcage_tui.shell.motions import Motions
+from birdcage_tui.shell.questions import Questions
+from birdcage_tui.shown.unready import SETUP, setup_step
+from birdcage_tui.shown.view import YOU
+from birdcage_tui.widgets.help import HelpScreen, help_words
+from birdcage_tui.widgets.jump import JumpScreen, JumpTarget, targets
+from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.palette import Palette
+from birdcage_tui.widgets.scope import Scope
+
+
+class DeedHost(AppHost, Protocol):
+    """The app, seen from its commands."""
+
+    settings: AppOptions
+    station: Station
+    motions: Motions
+    questions: Questions
+
+    @property
+    def page(self) -> Page:
+        """The page that is seen."""
+
+    def scopes(self) -> Sequence[Scope]:
+        """Return whose commands hold now, innermost first."""
+
+    def end_tour(self) -> None:
+        """Let the demo do nothing by itself any more."""
+
+    def leave(self) -> None:
+        """End the app."""
+
+
+class Deeds:
+    """Does the commands of the table, or says why not."""
+
+    def __init__(self, app: App[None], host: DeedHost) -> None:
+        self._app, self._host = app, host
+
+    def do(self, name: str) -> None:
+        """Do the command, or say why not."""
+        command = commands.BY_NAME[name]
+        reason = command.refused(self._host.view())
+        if reason is not None:
+            self._host.say("" if name == "release" else reason)
+            return
+        for scope in self._host.scopes():
+            if scope.scope in command.where and scope.do(name):
+                return
+        deed = self._deed(name)
+        if deed is not None:
+            deed()
+        else:
+            # Another page's: go there, and do it.
+            self._host.show_page(command.page or command.where[0], then=name)
+
+    def _deed(self, name: str) -> Callable[[], object] | None:
+        """Return what the app itself does for a command; None for what a page does."""
+        if name == SETUP and isinstance(self._host.page, DashboardPage) and (step := setup_step(self._host.view())):
+            return lambda: self._host.show_page("setup", then=f"look-{step}")
+        if name.startswith("page-"):
+            return lambda: self._host.show_page(name.removeprefix("page-"))
+        if name in DIRECTIONS:
+            return lambda: self._host.motions.jog(*DIRECTIONS[name])
+        if name in SKEW_DIRECTIONS:
+            return lambda: self._host.motions.jog_skew(SKEW_DIRECTIONS[name])
+        deeds: dict[str, Callable[[], object]] = {
+            "stop": self.stop,
+            "release": self.release,
+            "goto": self.open_goto,
+            "step-up": lambda: self._host.motions.change_step(1),
+            "step-down": lambda: self._host.motions.change_step(-1),
+            "home": self._host.questions.home,
+            "resume": self._host.motions.resume,
+            "skew": lambda: self.open_goto("skew "),
+            "search": self._host.questions.end_search,
+            "help": self._show_help,
+            "jump": self._show_jump,
+            "palette": self._show_palette,
+            "elements-add": self._host.questions.elements,
+            "place-set": self._host.questions.place,
+            "theme": self._next_theme,
+            "quit": self._host.leave,
+        }
+        return deeds.get(name)
+
+    def open_goto(self, text: str = "") -> None:
+        """Open the go-to line, over whatever page is seen."""
+        self._app.screen_stack[0].query_one(GotoLine).open(text)
+
+    def stop(self) -> None:
+        """STOP."""
+        self._host.station.stop(YOU)
+        self._host.end_tour()
+        self._host.say("STOP.")
+
+    def release(self) -> None:
+        """Acknowledge a fault; with none, let go of HELD; with neither, accept the dish's own limits."""
+        state = self._host.station.state
+        if state.fault is not None:
+            self._host.ask(AcknowledgeFault(YOU))
+        elif state.held is not None:
+            self._host.ask(Release(YOU))
+        elif state.motion_refused_because:
+            self._host.questions.limits(state.motion_refused_because)
+        self._host.say("")
+
+    def _show_help(self) -> None:
+        """Show what can be done here, and do what is chosen there."""
+
+        def chosen(name: str | None) -> None:
+            if name is not None:
+                self.do(name)
+
+        self._app.push_screen(
+            HelpScreen(self._host.view(), help_words(self._app.screen.focused, self._host.page.part)), chosen
+        )
+
+    def _show_palette(self) -> None:
+        """Show every command by its name."""
+        if not isinstance(self._app.screen, Palette):
+            self._app.push_screen(Palette())
+
+    def _show_jump(self) -> None:
+        """Put a letter on everything that can be reached; go to the one that is chosen."""
+
+        def chosen(target: JumpTarget | None) -> None:
+            if target is None:
+                return
+            if target.command is not None:
+                self.do(target.command)
+            else:
+                self._app.screen.set_focus(target.widget)
+                self._host.paint()
+
+        self._app.push_screen(JumpScreen(targets(self._app.screen_stack[0])), chosen)
+
+    def _next_theme(self) -> None:
+        """Change to the next look, and keep it for the next start."""
+        self._app.theme = next_theme(self._app.theme)
+        if self._host.settings.keep_theme is not None:
+            try:
+                self._host.settings.keep_theme(self._app.theme)
+            except BirdcageError as wrong:
+                self._host.say(f"The theme was not saved. {wrong}")

@@ -1,0 +1,75 @@
+"""How the app ends: STOP goes out first, the terminal is given back, and the exit status says why."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable
+from typing import Protocol
+
+from birdcage.base.signals import STATUS
+from birdcage.station.station import Station
+from textual.app import App
+
+from birdcage_tui.feeds.sky_feed import SkyFeed
+from birdcage_tui.feeds.track_feed import TrackFeed
+from birdcage_tui.shell.key_queue import KeyQueue
+from birdcage_tui.shown.view import YOU, is_moving
+
+
+class EndingHost(Protocol):
+    """The app, seen from its end."""
+
+    station: Station
+    keys: KeyQueue
+    sky: SkyFeed
+    track: TrackFeed
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread."""
+
+
+class Ending:
+    """Ends the app by a key, a signal or a terminal that is gone; `run` closes the session then."""
+
+    def __init__(self, app: App[None], host: EndingHost) -> None:
+        self._app, self._host = app, host
+        self.anew = False
+        """Whether the app is to begin again at once, with another session."""
+        self.number: int | None = None
+        """The signal that ends the app."""
+        self.take_signal: Callable[[int], object] | None = None
+        """Ends the app as that signal does, and its process if the app does not end; `run` sets it."""
+
+    def begin_anew(self) -> None:
+        """End, and begin again with the settings as they are then: the dish is another one than was thought."""
+        self.anew = True
+        self.leave()
+
+    def leave(self, by: str = YOU, status: int = 0) -> None:
+        """STOP first if anything moves; give the terminal back."""
+        self._stop_what_moves(by)
+        self._host.keys.close()
+        self._host.sky.close()
+        self._app.exit(return_code=status)
+
+    def _stop_what_moves(self, by: str) -> None:
+        moving = is_moving(self._host.station.state)
+        # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
+        self._host.track.close()
+        if moving:
+            self._host.station.stop(by, leaving=True)
+
+    def by_signal(self, number: int) -> None:
+        """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""
+        self.number = number
+        self._stop_what_moves("signal")
+        self._host.soon(self.leave_by_signal)
+
+    def leave_by_signal(self) -> None:
+        """Leave with the status of the signal that came, if one did."""
+        if self.number is not None:
+            self.leave("signal", STATUS + self.number)
+
+    def terminal_gone(self) -> None:
+        """End as by SIGHUP: the driver has found the terminal closed. Any thread."""
+        (self.take_signal or self.by_signal)(signal.SIGHUP)
