@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import ConfigError
-from birdcage.radio.address import parse_address
+from birdcage.radio.opening import parse_address
 
 
 @pytest.mark.parametrize(

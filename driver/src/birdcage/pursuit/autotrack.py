@@ -20,8 +20,6 @@ if TYPE_CHECKING:
 
 AGAIN_S = 15.0
 """A pass that was not taken on is asked for again after so many monotonic seconds."""
-SAME = timedelta(minutes=15)
-"""By how much newer elements may shift a pass that is still the same one."""
 PARKS_FIRST = timedelta(minutes=3)
 """With more time than this until the next pass the dish goes to its park direction before that is asked for."""
 ENDS = IN_MID_PASS | {Phase.COUNTDOWN, Phase.PARKING}
@@ -58,13 +56,13 @@ class Autotrack:
         row = self.timetable.next(now)
         if not self.on or row is None or (live is not None and of_person):
             return None
-        if live is not None and self.row is not None and same_pass(row, self.row):
+        if live is not None and self.row is not None and row.is_same_pass(self.row):
             return None
         if live is not None and live.phase in BEGUN and self.row is not None and now < self.row.reach_end:
             return None  # what has begun is followed to its end
         if live is not None and live.phase in ENDS and row.reach_start - now > PARKS_FIRST:
             return None  # it parks first, as after a pass that a person has chosen
-        if self.row is not None and same_pass(row, self.row) and monotonic < self.tried_at + AGAIN_S:
+        if self.row is not None and row.is_same_pass(self.row) and monotonic < self.tried_at + AGAIN_S:
             return None
         return row
 
@@ -76,8 +74,3 @@ class Autotrack:
         if not self.on or self.row is None or live is None:
             return None
         return KeptPass(self.row, following=live.phase in BEGUN)
-
-
-def same_pass(one: Scheduled, other: Scheduled) -> bool:
-    """Return whether two rows are of one pass."""
-    return (one.norad_id, one.name) == (other.norad_id, other.name) and abs(one.reach_start - other.reach_start) < SAME

@@ -73,10 +73,8 @@ class Follower:
 
     def renew(self, plan: Plan) -> None:
         """Bring a better plan in, if it is one for what is being followed."""
-        from birdcage.tracking.same_pass import same_pass
-
         live = self.live
-        if live is not None and plan is not self._sent and same_pass(plan, live.plan):
+        if live is not None and plan is not self._sent and plan.is_same_pass(live.plan):
             self._send(Pursue(plan, self.holder, replace(live.options), asked=False, renews=live.number))
 
     def leave(self, by: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from datetime import datetime
+from datetime import datetime, timedelta
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 NO_PLACE = "No place is set. `birdcage place add home WHERE --use` sets one: a city, a locator (JO21jv), or two angles."
 """The problem of a desk that does not know where the dish stands, and of a target that it is to locate."""
+
+SAME_PASS = timedelta(minutes=15)
+"""By how much newer elements may shift a scheduled pass that is still the same one."""
 
 
 class Mode(Enum):
@@ -83,6 +86,11 @@ class Scheduled:
     kept: bool
     why: str = ""
     """Why it is left out, or cut short: `overlaps METEOR-M2 4 (priority 2)`."""
+
+    def is_same_pass(self, other: Scheduled) -> bool:
+        """Return whether two rows are of one pass."""
+        same = (self.norad_id, self.name) == (other.norad_id, other.name)
+        return same and abs(self.reach_start - other.reach_start) < SAME_PASS
 
 
 @dataclass(frozen=True, slots=True)

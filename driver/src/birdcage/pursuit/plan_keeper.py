@@ -145,8 +145,6 @@ class PlanKeeper:
 
     def look_before_leaving(self, at: Circumstances) -> None:
         """Let the plan be made anew shortly before the dish leaves, if it stands elsewhere than when it was made."""
-        from birdcage.tracking.same_pass import same_pass
-
         live, choice = self._follower.live, self.followed
         if live is None or choice is None or live.phase not in BEFORE_LEAVING or live.plan.preposition is None:
             return
@@ -154,5 +152,6 @@ class PlanKeeper:
         if self._looked_before == leave_s or at.now.timestamp() < leave_s - max(BEFORE_S, 2.0 * self._clock.rate):
             return
         self._looked_before = leave_s
-        if choice.plan is not None and same_pass(choice.plan, live.plan) and choice.stood_elsewhere(at, ELSEWHERE_DEG):
+        plan = choice.plan
+        if plan is not None and plan.is_same_pass(live.plan) and choice.stood_elsewhere(at, ELSEWHERE_DEG):
             choice.forget_plan()

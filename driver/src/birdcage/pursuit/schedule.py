@@ -17,12 +17,12 @@ The rules:
 
 from __future__ import annotations
 
+from bisect import insort
 from collections.abc import Sequence
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING
 
-from birdcage.pursuit.now import Scheduled
-from birdcage.pursuit.schedule_choice import Value, best_chain
+from birdcage.pursuit.now import SAME_PASS, Scheduled
 from birdcage.pursuit.schedule_model import Direction, KeptPass, ScheduleCandidate, Slew
 from birdcage.pursuit.schedule_piece import Piece, Turning, pieces_in, whole
 from birdcage.pursuit.schedule_words import below_minima, cut_short, left_out, overlapped
@@ -32,8 +32,8 @@ if TYPE_CHECKING:
 
 __all__ = ["Direction", "KeptPass", "ScheduleCandidate", "Scheduled", "Slew", "schedule"]
 
-SAME_PASS = timedelta(minutes=15)
-"""By how much newer elements may shift a pass that is still the same one."""
+_Value = tuple[int, int]
+"""What a piece is worth: compared by the first number, then by the second; whole, so that sums are exact."""
 
 
 def schedule(
@@ -64,7 +64,7 @@ def schedule(
         offered, refused = _offered(same, rules, settled, turning)
         bonus = timedelta(seconds=rules.hysteresis_s)
         values = [_value(each, bonus if held and each.candidate is held.candidate else timedelta()) for each in offered]
-        chosen = [offered[index] for index in best_chain(offered, values, turning)]
+        chosen = [offered[index] for index in _best_chain(offered, values, turning)]
         rows += refused
         rows += [_row(each, cut_short(each, settled)) for each in chosen]
         rows += [_row(each, overlapped(each, chosen, turning), kept=False) for each in offered if each not in chosen]
@@ -90,9 +90,37 @@ def _offered(
     return offered, refused
 
 
-def _value(piece: Piece, bonus: timedelta) -> Value:
+def _value(piece: Piece, bonus: timedelta) -> _Value:
     """Return what a piece is worth: microseconds and thousandths of a degree, so that sums are exact."""
     return (piece.followed + bonus) // timedelta(microseconds=1), round(piece.best_el_deg * 1000.0)
+
+
+def _best_chain(pieces: Sequence[Piece], values: Sequence[_Value], turning: Turning) -> list[int]:
+    """Return which pieces, in order of time, are worth the most together, each following the one before it.
+
+    Weighted interval scheduling, exact: with the pieces in order of time, the best chain that ends with piece j is
+    best[j] = value[j] + max of best[i] over every i that j can follow.
+
+    Of equals the one is taken that is found first, in the order of `Piece.order`. The first number of each value is
+    positive.
+    """
+    order = sorted(range(len(pieces)), key=lambda index: pieces[index].order)
+    previous: dict[int, int | None] = {}
+    # The best chain that ends with each piece; the best one first, and of equals the one that was found first.
+    ranking: list[tuple[int, int, int, int]] = []
+    for place, index in enumerate(order):
+        seconds, height = values[index]
+        last = next((each for each in ranking if turning.follows(pieces[each[3]], pieces[index])), None)
+        previous[index] = None if last is None else last[3]
+        if last is not None:
+            seconds, height = seconds - last[0], height - last[1]
+        insort(ranking, (-seconds, -height, place, index))
+    chain: list[int] = []
+    at = ranking[0][3] if ranking else None
+    while at is not None:
+        chain.append(at)
+        at = previous[at]
+    return chain[::-1]
 
 
 def _found(pieces: Sequence[Piece], present: KeptPass | None) -> Piece | None:

@@ -3,17 +3,45 @@
 from __future__ import annotations
 
 from birdcage.base.clock import Clock, WaitOutcome
-from birdcage.base.errors import LinkError
+from birdcage.base.errors import ConfigError, LinkError
 from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.link.link import Link
 from birdcage.link.opening import is_registered, open_link
-from birdcage.radio.address import parse_address
 from birdcage.radio.errors import RadioLost
 from birdcage.radio.wire import HURRY_S, Call, Connect, RadioWire, connector
 
+PORT = 4532
+"""rigctld's and SDR++'s own; gqrx listens at 7356."""
 NO_BAUD = 0
 """What is registered and simulated has no rate."""
+
+
+def parse_address(text: str) -> tuple[str, int]:
+    """Return host and port of `localhost:4532`, `radio.lan`, `:7356` (this machine) or `[::1]:4532`.
+
+    ConfigError says what is wrong with it.
+    """
+    words = text.strip()
+    bracketed = words.startswith("[")
+    host, colon, port = words.removeprefix("[").rpartition("]" if bracketed else ":")
+    if bracketed:
+        if not colon or (port and not port.startswith(":")):
+            raise _wrong(text)
+        port = port.removeprefix(":")
+    elif not colon:
+        host, port = words, ""
+    elif ":" in host:
+        raise _wrong(text)  # an IPv6 address without brackets: where its port begins is a guess
+    if port and not (port.isascii() and port.isdigit() and 0 < int(port) < 65536):
+        raise _wrong(text)
+    if not words or any(each.isspace() or each == "/" for each in host):
+        raise _wrong(text)
+    return host or "localhost", int(port) if port else PORT
+
+
+def _wrong(text: str) -> ConfigError:
+    return ConfigError(f"radio.rigctld is {text!r}, not an address. Write localhost:4532.")
 
 
 def caller(address: str, clock: Clock, hurry: Wake | None = None, connect: Connect | None = None) -> tuple[str, Call]:

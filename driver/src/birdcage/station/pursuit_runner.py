@@ -69,13 +69,11 @@ class PursuitRunner:
 
         MotionRefused (`unreachable`, `over`, `controller`, …), Held, LinkError: nothing has changed.
         """
-        from birdcage.tracking.same_pass import same_pass
-
         live = self._live
         if request.renews is not None and (live is None or live.number != request.renews):
             return request.renews
         refuse(request.plan, self._now_s)
-        if live is not None and live.holder == request.holder and same_pass(live.plan, request.plan):
+        if live is not None and live.holder == request.holder and live.plan.is_same_pass(request.plan):
             self._renew(request.plan)
             return live.number
         self._parts.require_link("nothing is followed")

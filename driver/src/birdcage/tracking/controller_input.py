@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.steps import Activity
@@ -41,6 +42,13 @@ class ControllerInput:
     """How many lines in a row the dish has answered in time before."""
     delay_s: float = 2.0
     """The longest that a byte may be on its way: after a lost answer the line is silent for up to twice that."""
+
+    def least_way_deg(self, axis: Axis) -> float:
+        """Return how far an axis must be off to be moved: by the dead band in steps or in degrees, whichever is more.
+
+        Never less than half a step, as no command moves it by less.
+        """
+        return max(self.dead_band_deg, max(self.dead_band_steps, 0.5) * axis.step_deg)
 
 
 Controller: TypeAlias = Callable[[ControllerInput], Activity]

@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from birdcage.tracking.planning.refraction import Refraction
     from birdcage.tracking.pointing_error import PointingError
 
+SAME_PASS_S = 300.0
+"""Two passes of one satellite are further apart than this; the elements, or where a search began, shift one by less."""
+
 
 @dataclass(frozen=True, slots=True)
 class PlanTarget:
@@ -150,6 +153,19 @@ class Plan:
     """What to expect of dish and elements together; None if nothing is followed."""
     day: Day | None = None
     """The next 24 hours of what does not pass; None for a pass, or where not all of them are known."""
+
+    def is_same_pass(self, other: Plan) -> bool:
+        """Return whether two plans are for the same pass of the same target: then one may replace the other under way.
+
+        A target that does not pass has one pass only.
+        """
+        mine, its = self.aim, other.aim
+        if (mine.kind, mine.name, mine.norad_id) != (its.kind, its.name, its.norad_id):
+            return False
+        if self.passing is None or other.passing is None:
+            return self.passing is other.passing
+        moved_s = abs(mine.time_offset_s - its.time_offset_s)
+        return abs((self.passing.tca - other.passing.tca).total_seconds()) <= SAME_PASS_S + moved_s
 
     @property
     def goes_on(self) -> bool:

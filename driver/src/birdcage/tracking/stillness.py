@@ -5,7 +5,6 @@ from __future__ import annotations
 from birdcage.base.geometry import shortest_turn
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.planning.routes import Point
-from birdcage.tracking.steering.dead_band import dead_band_deg
 
 HEAR_EVERY_S = 8.5
 """How often the tuner is read while the dish stands still: two visits and the positions between would be too much
@@ -23,7 +22,7 @@ def still_until(guide: ControllerInput, place: Point, now_s: float) -> float:
     course, until_s = guide.course(), now_s
     axes = guide.model.azimuth, guide.model.elevation
     # Half a step more: it was sent to whole steps.
-    bands = tuple(dead_band_deg(guide, axis) + axis.step_deg / 2.0 + HAIR_DEG for axis in axes)
+    bands = tuple(guide.least_way_deg(axis) + axis.step_deg / 2.0 + HAIR_DEG for axis in axes)
     for ahead_s in AHEAD_S:
         at_s = min(now_s + ahead_s, guide.until_s)
         az_deg, el_deg = course.at(at_s)

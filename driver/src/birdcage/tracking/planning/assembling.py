@@ -14,13 +14,13 @@ from birdcage.sky.reach_model import PassReach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import Day
 from birdcage.tracking.mount import Mount
-from birdcage.tracking.plan import Forecast, Keyhole, Plan, PlanLeg, PlanPart, PlanTarget
+from birdcage.tracking.plan import Forecast, Keyhole, Plan, PlanLeg, PlanPart, PlanTarget, Preposition
 from birdcage.tracking.planning.course import course as course_of
 from birdcage.tracking.planning.forecast import forecast
 from birdcage.tracking.planning.incidents import incidents, loss_notes
 from birdcage.tracking.planning.itinerary import TrackSegment
 from birdcage.tracking.planning.keyholes import keyholes, simulated
-from birdcage.tracking.planning.preposition import preposition
+from birdcage.tracking.planning.routes import Route, route
 from birdcage.tracking.planning.target_track import TargetTrack
 from birdcage.tracking.pointing_error import STILL_FLIES, pointing_error
 
@@ -28,6 +28,8 @@ _AT_ONCE_S = 0.5
 """A rewind that ends no longer than this before the target is followed again ends with that."""
 _SEEN_DEG = 0.05
 """What a person is told of: five steps of a motor."""
+_STOP_S = 1.0
+"""For each stop on the way: the command, and until it is seen that the dish has come there."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +59,7 @@ def complete(basis: Basis, share: float | None, seen: Forecast | None = None, *,
     holes = keyholes(track, stretches, course, beam)
     if seen is not None:
         holes = simulated(holes, seen, beam)
-    place = preposition(track, course, basis.preposition_s, basis.made_at.timestamp())
+    place = _preposition(track, course, basis.preposition_s, basis.made_at.timestamp())
     own = seen or forecast(track, stretches, course, beam)
     notes = [
         *_element_notes(basis.elements),
@@ -183,3 +185,24 @@ def _notes(reach: PassReach, mount: Mount) -> Iterator[str]:
         yield "The turn of the cable is unknown: only what is safe for every turn is followed."
     if mount.beam is None:
         yield "No loss in dB: the beam width is unknown. Set the feed's band, or its measured width."
+
+
+def _preposition(track: TargetTrack, course: Curve, before_s: float, now_s: float) -> Preposition | None:
+    """Return where the dish waits, the first point of the course, and the way there; None if no way is safe.
+
+    `before_s`: how long before the first leg the dish is to be in place. While the position is not known the way has
+    one stop, and begins early enough for the longest slew there is.
+    """
+    az, el = course.at(course.start_s)
+    true_az, true_el = track.mount.alignment.to_true(az, el)
+    model, standing = track.mount.model, track.mount.standing
+    if standing is None:
+        low, high = track.bounds.cable or (0.0, 360.0)
+        longest = route(track.bounds, model, (az - (high - low), track.bounds.low_el_deg), (az, el))
+        taken: Route | None = Route((az, el), ((az, el),), 60.0 if longest is None else longest.seconds)
+    else:
+        taken = route(track.bounds, model, (standing.az_deg, standing.el_deg), (az, el))
+    if taken is None:
+        return None
+    leave_s = course.start_s - before_s - taken.seconds - _STOP_S * len(taken.stops)
+    return Preposition(az, el, true_az % 360.0, true_el, taken.stops, max(leave_s, now_s), taken.seconds)

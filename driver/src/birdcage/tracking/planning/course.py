@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from birdcage.tracking.curve import Curve, Floats
-from birdcage.tracking.planning.corners import JOINT_S, cornered
 from birdcage.tracking.planning.itinerary import TrackSegment
 from birdcage.tracking.planning.keyhole_path import Corridor, best_elevation, least_error_deg, limited, through
 from birdcage.tracking.planning.rates import azimuth_rates_deg_s, mean_rate_deg_s
@@ -15,6 +14,11 @@ from birdcage.tracking.planning.routes import sampled
 from birdcage.tracking.planning.target_track import TargetTrack
 
 _Piece = tuple[Floats, Floats, Floats]
+
+_JOINT_S = 1e-3
+"""A corner gets a second point so near on either side, and the cubic stays at the corner."""
+_SHARP_DEG = 0.004
+"""A change of rate that makes less than this within a step swings out by a tenth of it at most."""
 
 
 def course(track: TargetTrack, stretches: Sequence[TrackSegment], share: float | None, hold: float = 0.0) -> Curve:
@@ -31,8 +35,8 @@ def course(track: TargetTrack, stretches: Sequence[TrackSegment], share: float |
             pieces.append(_kept_before(on_way, group[0].start_s))
         pieces.append(_followed(track, group, share, hold, first=not pieces, last=last))
     t, az, el = (np.concatenate(parts) for parts in zip(*pieces, strict=True))
-    rising = np.concatenate(([True], np.diff(t) > JOINT_S / 10.0))
-    return cornered(t[rising], az[rising], el[rising])
+    rising = np.concatenate(([True], np.diff(t) > _JOINT_S / 10.0))
+    return _cornered(t[rising], az[rising], el[rising])
 
 
 def limit_deg(track: TargetTrack, stretches: Sequence[TrackSegment], start_s: float, end_s: float) -> float:
@@ -88,10 +92,10 @@ def _corridor(track: TargetTrack, group: list[TrackSegment], *, first: bool, las
     """Return where the dish may be during a group. Its ends are fixed where a way begins or ends there."""
     start, end, turn = group[0].start_s, group[-1].end_s, group[0].turn
     sky_t = track.sky.t_s
-    inner = sky_t[(sky_t > start + 2.0 * JOINT_S) & (sky_t < end - 2.0 * JOINT_S)]
+    inner = sky_t[(sky_t > start + 2.0 * _JOINT_S) & (sky_t < end - 2.0 * _JOINT_S)]
     edges = [edge for one in group for edge in (one.start_s, one.end_s)][1:-1]
     corners = [at for at in _corners(track) if start < at < end]
-    t = np.unique(np.concatenate(([start, start + JOINT_S], inner, edges, corners, [end - JOINT_S, end])))
+    t = np.unique(np.concatenate(([start, start + _JOINT_S], inner, edges, corners, [end - _JOINT_S, end])))
     az, el = track.dish.sample(t)
     floor, ceiling = track.elevations(t)
     az, el = az + 360.0 * turn, np.clip(el, floor, ceiling)
@@ -121,7 +125,7 @@ def _corners(track: TargetTrack) -> list[float]:
         before = np.flatnonzero((beyond[:-1] < 0.0) != (beyond[1:] < 0.0))
         share = beyond[before] / (beyond[before] - beyond[before + 1])
         found += (t[before] + share * (t[before + 1] - t[before])).tolist()
-    return [at + by for at in found for by in (-JOINT_S, 0.0, JOINT_S)]
+    return [at + by for at in found for by in (-_JOINT_S, 0.0, _JOINT_S)]
 
 
 def _kept_before(piece: _Piece, end_s: float) -> _Piece:
@@ -129,8 +133,25 @@ def _kept_before(piece: _Piece, end_s: float) -> _Piece:
     t, az, el = piece
     if not len(t):
         return piece
-    until_s = end_s - JOINT_S
+    until_s = end_s - _JOINT_S
     if t[-1] >= until_s:
-        begin = t[0] - JOINT_S
+        begin = t[0] - _JOINT_S
         return begin + (t - begin) * (until_s - begin) / (t[-1] - begin), az, el
     return np.append(t, until_s), np.append(az, az[-1]), np.append(el, el[-1])
+
+
+def _cornered(t: Floats, az: Floats, el: Floats) -> Curve:
+    """Return the curve through points, with further ones about its corners: a cubic must not swing out beyond them."""
+    steps = np.diff(t)
+    slopes = [np.diff(values) / steps for values in (az, el)]
+    widest = np.maximum(steps[1:], steps[:-1])
+    bend = np.maximum(*(np.abs(np.diff(slope)) for slope in slopes)) * widest
+    sharp = np.flatnonzero(bend > _SHARP_DEG) + 1
+    before, after = sharp[steps[sharp - 1] > 3.0 * _JOINT_S], sharp[steps[sharp] > 3.0 * _JOINT_S]
+    times = np.concatenate([t, t[before] - _JOINT_S, t[after] + _JOINT_S])
+    order = np.argsort(times)
+    found = [
+        np.concatenate([values, values[before] - slope[before - 1] * _JOINT_S, values[after] + slope[after] * _JOINT_S])
+        for values, slope in zip((az, el), slopes, strict=True)
+    ]
+    return Curve(times[order], found[0][order], found[1][order])

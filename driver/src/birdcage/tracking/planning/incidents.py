@@ -7,10 +7,9 @@ from datetime import datetime
 
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_limits import ReachLimits
-from birdcage.sky.reach_model import LossReason, Lost, PassReach
+from birdcage.sky.reach_model import LossCause, LossReason, Lost, PassReach
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.plan import Incident, Keyhole, PlanLeg, PlanPart
-from birdcage.tracking.planning.limit_words import where_words
 
 _SHORT_LOSS_S = 1.0
 _EDGE_S = 2.0
@@ -86,3 +85,16 @@ def loss_notes(reach: PassReach, limits: ReachLimits) -> Iterator[str]:
 
 def _length(seconds: float) -> str:
     return f"{seconds:.0f} s" if seconds < 100.0 else f"{seconds / 60.0:.1f} min"
+
+
+def where_words(cause: LossCause, limits: ReachLimits) -> str:
+    """Return where the target is that a limit keeps out of reach: `below the 18° floor`."""
+    if cause.reason is LossReason.FLOOR:
+        return f"below the {limits.el_floor_deg:g}° floor"
+    if cause.reason is LossReason.CEILING:
+        return f"above the {limits.el_ceiling_deg:g}° ceiling"
+    if cause.reason is LossReason.HORIZON:
+        return "behind the horizon mask"
+    if cause.reason is LossReason.CABLE:
+        return "beyond the cable stop"
+    return f"in {cause.words}" if cause.sector else cause.words

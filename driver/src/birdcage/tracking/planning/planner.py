@@ -6,27 +6,28 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import TYPE_CHECKING
 
+from birdcage.base.errors import BirdcageError
 from birdcage.sky.element_error import ElementError, element_error
 from birdcage.sky.frames import posix_s
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.model import Pass
 from birdcage.sky.targets.model import Satellite, SlotTarget, Target
 from birdcage.tracking.curve import Curve
+from birdcage.tracking.day import HOURS, Day
 from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Plan, PlanTarget
 from birdcage.tracking.planning.assembling import Basis, complete, unfollowed
-from birdcage.tracking.planning.day_ahead import day_ahead
+from birdcage.tracking.planning.incidents import where_words
 from birdcage.tracking.planning.itinerary import itinerary
 from birdcage.tracking.planning.plan_reach import reached
 from birdcage.tracking.planning.rates import FIRST_SHARE
 from birdcage.tracking.planning.refining import refine
-from birdcage.tracking.planning.refraction import Refraction
+from birdcage.tracking.planning.refraction import Refraction, lift_deg
 from birdcage.tracking.planning.sky_path import sky_path
 from birdcage.tracking.planning.target_track import TargetTrack
 
 if TYPE_CHECKING:
     from birdcage.sky.downlinks import Downlink
-    from birdcage.tracking.day import Day
 
 __all__ = ["plan_pass", "refine"]
 
@@ -78,7 +79,7 @@ def plan_pass(
     believed = None
     if isinstance(target, Satellite):
         believed = element_error(target.elements, observer, sky.start_s, sky.end_s, aim.time_offset_s)
-    day = None if passing is not None else day_ahead(target, observer, mount, now_s, refraction, time_offset_s)
+    day = None if passing is not None else _day_ahead(target, observer, mount, now_s, refraction, time_offset_s)
     return _plan(aim, sky, mount, now, passing, next_tracks, preposition_s, believed, day)
 
 
@@ -94,3 +95,17 @@ def _plan(
         return unfollowed(aim, now, passing, reach, track, elements, day)
     share = None if mount.model.axes_together else FIRST_SHARE
     return complete(Basis(aim, now, passing, reach, track, planned.stretches, preposition_s, elements, day), share)
+
+
+def _day_ahead(
+    target: Target, observer: Observer, mount: Mount, start_s: float, refraction: Refraction, time_offset_s: float
+) -> Day | None:
+    """Return the day of what does not pass, from a time on (POSIX seconds); None if a position is not always known."""
+    end_s = start_s + HOURS * 3600.0
+    try:
+        sky = sky_path(target, observer, start_s, end_s, refraction=refraction, time_offset_s=time_offset_s)
+    except BirdcageError:
+        return None
+    reach = TargetTrack.of(sky, mount).reached()
+    limits = tuple(where_words(cause, mount.limits) for cause in reach.lost_s)
+    return Day(sky, reach, limits, float(lift_deg(0.0, refraction)))

@@ -11,7 +11,6 @@ from dataclasses import dataclass
 
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
-from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of, need_of
 from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
@@ -70,7 +69,7 @@ class AxisFollower:
 
     def _least_deg(self, way_deg: float) -> float:
         """Return the least way that is worth a command."""
-        return max(dead_band_deg(self._guide, self.axis), self.axis.least_way_deg(way_deg))
+        return max(self._guide.least_way_deg(self.axis), self.axis.least_way_deg(way_deg))
 
     def _lift(self, at_s: float) -> float:
         return math.cos(math.radians(self._guide.course().at(at_s)[1])) if self._column == 0 else 1.0

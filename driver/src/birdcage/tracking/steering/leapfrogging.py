@@ -10,7 +10,6 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.leapfrog import overshoot
 from birdcage.rotator.axis import Axis
 from birdcage.tracking.controller_input import ControllerInput
-from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
 
 EVERY_S = 1.0
@@ -30,7 +29,7 @@ def leapfrog(guide: ControllerInput) -> Activity:
             (model.azimuth, model.elevation), target, (seen.az_deg, seen.el_deg), strict=True
         ):
             goal_deg = _beyond(axis, wanted_deg, read_deg, turns=axis is model.azimuth)
-            if abs(goal_deg - sent[axis.index]) >= dead_band_deg(guide, axis) and now_s < guide.until_s:
+            if abs(goal_deg - sent[axis.index]) >= guide.least_way_deg(axis) and now_s < guide.until_s:
                 now_s = (yield Send(axis.index, goal_deg)).now_s
                 sent[axis.index] = goal_deg
         now_s = (yield Wait(min(max(tick_s + EVERY_S, now_s), guide.until_s))).now_s

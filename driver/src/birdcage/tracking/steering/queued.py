@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief
-from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steering.lookahead import Lookahead
 from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
@@ -28,7 +27,7 @@ def steer(guide: ControllerInput, *, looks: bool) -> Activity:
     """Follow with or without reading the position."""
     axes = guide.model.azimuth, guide.model.elevation
     latency = Latency(guide.model, guide.latency_s)
-    ahead = Lookahead(axes, (dead_band_deg(guide, axes[0]), dead_band_deg(guide, axes[1])))
+    ahead = Lookahead(axes, (guide.least_way_deg(axes[0]), guide.least_way_deg(axes[1])))
     beliefs = AxisBelief(axes[0], guide.start_az_deg, guide.now_s), AxisBelief(axes[1], guide.start_el_deg, guide.now_s)
     now_s, look_s = guide.now_s, guide.now_s + guide.look_every_s
     ends_s = now_s

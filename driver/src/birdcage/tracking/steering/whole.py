@@ -9,7 +9,6 @@ from __future__ import annotations
 from birdcage.antenna.motion import plan_axis
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller_input import ControllerInput
-from birdcage.tracking.steering.dead_band import dead_band_deg
 from birdcage.tracking.steps import Activity, SlewTo, Wait
 
 RESTS_S = 0.75
@@ -25,7 +24,7 @@ ROUNDS = 3
 def steer(guide: ControllerInput) -> Activity:
     """Follow step by step."""
     az_deg, el_deg, now_s = guide.start_az_deg, guide.start_el_deg, guide.now_s
-    bands = dead_band_deg(guide, guide.model.azimuth), dead_band_deg(guide, guide.model.elevation)
+    bands = guide.least_way_deg(guide.model.azimuth), guide.least_way_deg(guide.model.elevation)
     lasts_s: float | None = None
     while now_s < guide.until_s:
         course = guide.course()
