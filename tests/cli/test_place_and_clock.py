@@ -107,8 +107,8 @@ class TestPlace:
         ("words", "code", "says"),
         [
             (("add", "x", "springfield"), 2, "Which one"), (("add", "x"), 2, "No place is set"),
-            (("add", "x", "JO21"), 2, "wide"), (("use", "y"), 2, 'no place "y"; saved are: none'),
-            (("remove", "y"), 2, 'no place "y"; saved'), (("add", "x", "1", "2", "--lat", "3"), 2, "not both"),
+            (("add", "x", "JO21"), 2, "wide"), (("use", "y"), 2, 'Place "y" not found. Saved: none'),
+            (("remove", "y"), 2, 'Place "y" not found'), (("add", "x", "1", "2", "--lat", "3"), 2, "not both"),
             (("add", " ", "1", "2"), 2, "a name has"), (("horizon", "import", "absent.txt"), 2, "can't be read"),
             (("gps", "/dev/no-such-receiver"), 3, "no-such-receiver"),
             (("gps", "gpsd://127.0.0.1:1"), 1, "No gpsd at 127.0.0.1:1"),

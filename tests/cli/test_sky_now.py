@@ -87,7 +87,7 @@ def test_the_table_and_its_limit(sky, as_json, filled):
     head, *lines = result.stdout.splitlines()
     assert head.split() == ["EL", "AZ", "NAME", "RANGE", "KM", "NOTES"]
     assert len(lines) == 3
-    assert f"{len(as_json(sky('--json'))) - 3} more stand lower" in result.stderr
+    assert f"{len(as_json(sky('--json'))) - 3} more are lower" in result.stderr
     assert max(map(len, result.stdout.splitlines())) <= 80
     assert len(as_json(sky("--json", "--limit", 2))) == 2
 
@@ -95,7 +95,7 @@ def test_the_table_and_its_limit(sky, as_json, filled):
 def test_nothing_up_is_said(sky):
     result = sky("--min-elevation", 89.99)
     assert result.stdout == ""
-    assert "Nothing stands above 89.99°" in result.stderr
+    assert "Nothing is above 89.99°" in result.stderr
 
 
 def test_frozen_elements_are_marked_and_warned_of(sky, as_json):

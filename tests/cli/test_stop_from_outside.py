@@ -92,7 +92,7 @@ def test_who_waits_no_longer_for_a_stop_is_not_told_that_nothing_was_done(run, p
     result = run("stop", port=pty_dish.path)
     assert result.exit_code == 130
     assert re.fullmatch(
-        r"Process \d+ was told to stop the dish. What came of it is not known: look at the dish.\n", result.stderr
+        r"Process \d+ was told to stop the dish. The result is unknown: look at the dish.\n", result.stderr
     )
     assert owner.station.state.held is not None
 

@@ -16,7 +16,7 @@ FORBIDDEN = re.compile(r"\b(nobody|such as|that which|by now|so that it|as far a
 
 ONE_TERM = {
     r"\bplaces? that counts?\b": "active place",
-    r"\bpresent step\b": "current step",
+    r"\bpresent (?:step|object)\b": "current step, current object",
     r"\bknocks?\b": "run into",
     r"\bmute\b": "silent",
     r"\bin need\b": "in an emergency",

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
+import stand_in
+from birdcage.base.clock import VirtualClock
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import Goto, Release
 from birdcage.station.state import Activity
@@ -106,3 +109,20 @@ def test_stop_at_rest_proves_nothing_either():
     assert "nothing moves" not in said(bench)
     bench.do(Release("you"))
     assert "should be at rest" in said(bench)
+
+
+@pytest.mark.parametrize(
+    ("az_deg", "late_s", "words"),
+    [
+        (160.72, 0.4, "SLEWING: settling"),
+        (160.72, -0.2, "SLEWING 0.0° to go, 0.2 s"),
+        (162.7, 3.0, "SLEWING 2.0° to go, overdue 3.0 s"),
+    ],
+)
+def test_a_dish_at_its_target_whose_time_is_over_is_settling(az_deg, late_s, words):
+    clock = VirtualClock()
+    state = stand_in.slewing(clock)
+    position = replace(state.position, az_deg=az_deg, el_deg=state.motion.to_el_deg)
+    motion = replace(state.motion, eta=clock.monotonic() - late_s)
+    view = View(replace(state, position=position, motion=motion), clock.monotonic(), clock.utc(), AppOptions())
+    assert motion_text(view) == words

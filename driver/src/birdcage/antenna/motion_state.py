@@ -66,7 +66,7 @@ class MotionState:
             return before
 
     def take_back(self, model: DishMotion | None, before: DishMotion | None) -> None:
-        """What was assumed did not begin: the machine does what it did. Nothing if something else is known by now."""
+        """What was assumed did not begin: the machine does what it did. Nothing if more is known meanwhile."""
         with self.lock:
             if self._model is model:
                 self._model = before

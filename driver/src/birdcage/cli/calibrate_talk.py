@@ -20,9 +20,9 @@ KEYS = (
     "n [NUMBER]  go to the best object, or to one of the list",
     "g TARGET    go to another one; g alone: follow its motion",
     "u d l r     nudge up, down, left, right; with a number: by so many degrees from now on",
-    "Enter       peaked here: keep it",
+    "Enter       peaked here: save it",
     "f           show the fit and its residuals",
-    "x NUMBER    forget a peak",
+    "x NUMBER    delete a peak",
     "a NAME      save the fit as NAME and use it for all pointing",
     "?           these lines      q  leave (all peaks are saved)      Ctrl+C  stop the dish",
 )

@@ -30,7 +30,7 @@ def find_saved(places: PlacesRead, name: str) -> Place:
     found = places.named(name)
     if found is None:
         known = ", ".join(each.name for each in places.entries) or "none"
-        raise click.UsageError(f'There is no place "{name}"; saved are: {known}.')
+        raise click.UsageError(f'Place "{name}" not found. Saved: {known}.')
     return found
 
 

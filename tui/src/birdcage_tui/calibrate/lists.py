@@ -114,14 +114,14 @@ class ListPane(Pane):
 class ObjectsPane(ListPane, can_focus=True):
     """What is up and in reach, best first, and what the error over the sky would be after a peak on it.
 
-    The present object is always among them.
+    The current object is always among them.
     """
 
     TITLE, NOUN = "Objects: sky error after a peak", "object"
     EMPTY = "This dish can hear nothing that is in reach now. r: look again."
     HELP = (
         "Objects that you can peak on now, the best first. The last column is the error to expect over the sky after "
-        "that peak. Objects beside a saved peak are left out; the present one stays, as the last. Enter goes there."
+        "that peak. Objects beside a saved peak are left out; the current one stays, at the end. Enter goes there."
     )
     scope = "calibrate-objects"
 
@@ -156,14 +156,14 @@ class ObjectsPane(ListPane, can_focus=True):
         assert now.guide is not None
         chosen = now.guide.proposals[self.at : self.at + 1]
         if not chosen:
-            return "The present object. Enter returns to where it stands now."
+            return "The current object. Enter returns to where it is now."
         one = chosen[0]
         rise = "" if one.candidate.rise_db is None else f", {one.candidate.rise_db:.1f} dB over the sky"
         return f"Sky error now {error_text(one.error_now_deg)}. Peak to ±{one.candidate.sigma_deg:.2f}°{rise}."
 
 
 def present_row(guide: GuideView) -> int | None:
-    """Return the row of the present object: its own among the proposals, else the one after them; None without one."""
+    """Return the row of the current object: its own among the proposals, else the one after them; None without one."""
     if not guide.target:
         return None
     names = [each.candidate.name for each in guide.proposals]

@@ -36,7 +36,7 @@ def can_select(view: View) -> str | None:
 
 
 def can_return(view: View) -> str | None:
-    """Return why the present object cannot be selected."""
+    """Return why the current object cannot be selected."""
     now = view.calibrate
     if now is not None and now.guide is not None and not now.guide.target:
         return "No object yet. n: select the next best one."
@@ -126,8 +126,8 @@ CALIBRATE = (
         "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="save peak"),
     _at("next", ("n",), "n", "Next object", "Select the next best object. Nothing moves until you press Enter.",
         refused=can_select, footer="next"),
-    _at("again", ("m",), "m", "Present object",
-        "Select the present object, to return to it. Nothing moves until you press Enter.", refused=can_return),
+    _at("again", ("m",), "m", "Current object",
+        "Select the current object to return to it. Nothing moves until you press Enter.", refused=can_return),
     _at("left", ("left", "h"), "← h", "Nudge left", "One step on the sky, as seen from the dish.", "Nudge", can_nudge),
     _at("right", ("right", "l"), "→ l", "Nudge right", "One step on the sky.", "Nudge", can_nudge, "nudge"),
     _at("up", ("up", "k"), "↑ k", "Nudge up", "One step on the sky.", "Nudge", can_nudge),

@@ -188,7 +188,7 @@ class PassesPage(Page):
             self.selection.machine.to(now.utc.timestamp(), wanted_s)
             if abs(self.selection.time(now) - wanted_s) > 1.0:
                 known_until = utc_of(self.selection.time(now))
-                self.host.say(f"Passes are known until {known_until:%Y-%m-%d %H:%M}Z: that is shown.")
+                self.host.say(f"Passes are known until {known_until:%Y-%m-%d %H:%M}Z. That time is shown.")
             self._moment()
 
         self.app.push_screen(time_screen(shown), answered)
@@ -270,7 +270,7 @@ class PassesPage(Page):
         """Show the plan of the chosen pass on F2, where Enter follows it."""
         row = self.selection.chosen(view)
         if row is None:
-            self.host.say("No pass is chosen.")
+            self.host.say("No pass selected.")
             return
         self.host.track.offer = Offer(row.name, row.norad_id, row.tca_s)
         self.host.show_page("control", "open-offer")

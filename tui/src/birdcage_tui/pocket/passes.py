@@ -184,7 +184,7 @@ class PocketPasses(Vertical):
             self.host.action_command("release")
             return
         if row is None or source is None:
-            self.host.say("No pass is selected.")
+            self.host.say("No pass selected.")
             return
         line = self.query_one(PocketOffer)
         line.offer = Offer(row.name, row.norad_id, row.tca_s)

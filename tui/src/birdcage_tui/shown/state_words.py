@@ -89,6 +89,8 @@ def home_hint(view: View) -> str:
 
 TOLD_DEG = 0.01
 """A miss of less is not told: angles are shown in hundredths."""
+SETTLED_DEG = 0.05
+"""A dish this near its target, when its time is over, only has to be seen at rest: tenths of a degree are shown."""
 
 
 def motion_text(view: View) -> str:
@@ -113,6 +115,8 @@ def motion_text(view: View) -> str:
             return f"{word}{going.rstrip(',')}"
         if left_s <= 0 and not tells_at_rest(view):
             return f"{word}{going.rstrip(',')}"  # it is over by its time, and only the proof of that is due
+        if left_s <= 0 and to_go_deg is not None and to_go_deg < SETTLED_DEG:
+            return f"{word}: settling"
         return f"{word}{going} {left_s:.1f} s" if left_s > 0 else f"{word}{going} overdue {-left_s:.1f} s"
     word = ACTIVITY[state.activity]
     if view.crash:

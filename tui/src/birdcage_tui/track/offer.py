@@ -36,7 +36,7 @@ def offer_words(offer: Offer, view: View) -> tuple[str, str]:
         chosen = view.track is not None and view.track.choice == offer.text
         if chosen and plan is not None and plan.passing is not None:
             return "warn-row", f"{name}: the desk plans another pass. Pick one on F7 again."
-        return "bar", f"{name}: its pass is worked out …"
+        return "bar", f"{name}: computing the pass …"
     return _follow_words(name, plan, view)
 
 
@@ -81,7 +81,7 @@ def _follow_words(name: str, plan: Plan | None, view: View) -> tuple[str, str]:
             return "warn-row", f"{name}: {how}."
         return "warn-row", f"{name}: {reason}"
     if plan is None:
-        return "accent-row", f"Enter follows {name}: its pass is worked out …"
+        return "accent-row", f"Enter follows {name}: computing the pass …"
     t_s = view.utc.timestamp()
     leg = next((each for each in plan.legs if each.end_s > t_s), None)
     if leg is None:
@@ -150,7 +150,7 @@ class OfferLine(Pane, can_focus=True):
         if can_release(view) is None:
             host.action_command("release")
         elif self.offer is not None and not self.offer.is_of(plan_of(view)):
-            host.say("Its pass is still worked out: Enter again.")
+            host.say("Still computing the pass. Press Enter again.")
         elif (reason := (can_autotrack if self.deed == "track-autotrack" else can_follow)(view)) is not None:
             host.say(reason)
         else:

@@ -32,7 +32,7 @@ def command() -> None:
     """
 
 
-@command.command("fit", short_help="Fit the pointing model, and show what is left.", epilog=DATA_EPILOG)
+@command.command("fit", short_help="Fit the pointing model, and show the residuals.", epilog=DATA_EPILOG)
 @click.option("--terms", type=click.IntRange(2, 5), help="2: offsets; 4: with tilt; 5: with collimation too.")
 @click.option("--save", "name", metavar="NAME", help="Save the fit under this name.")
 @global_options("config", "json", "verbose")

@@ -12,7 +12,7 @@ from birdcage.cli.options import flags, global_options, wanted
 HOLDER = "birdcage calibrate"
 
 
-@click.command("guide", short_help="Be led through all of it, at the dish.", epilog=EPILOG)
+@click.command("guide", short_help="Guide you through all of it, at the dish.", epilog=EPILOG)
 @global_options()
 def guide() -> None:
     """Be led: it names the next object and goes there; you nudge until the meter is highest, and say so.

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 SHOWN = 8
 
 
-@click.command("next", short_help="Name what to peak on next.", epilog=DATA_EPILOG)
+@click.command("next", short_help="Suggest what to peak on next.", epilog=DATA_EPILOG)
 @at_option("When.")
 @click.option("--all", "every", is_flag=True, help=f"All that is up and in reach, not the best {SHOWN} alone.")
 @global_options("firmware", "json", "config", "verbose", firmware=NO_DISH)

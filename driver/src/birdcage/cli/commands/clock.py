@@ -74,7 +74,7 @@ def _by_gps(receiver: str) -> ClockVerdict:
     fix = locate(receiver or settings.place.gps or "gpsd", RealClock(), timeout_s=30.0, dish_port=settings.dish.port)
     verdict = by_gps(fix)
     if verdict is None:
-        raise NoFix(f"{fix.source} tells a place but no time.")
+        raise NoFix(f"{fix.source} gives a position but no time.")
     return verdict
 
 

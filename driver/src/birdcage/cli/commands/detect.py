@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @global_options("port", "baud", "json", "config", "verbose")
 @click.pass_context
 def command(context: click.Context) -> None:
-    """Find out which firmware answers on the port, and how that shows.
+    """Find out which firmware answers on the port, with the evidence.
 
     Sends one bare Enter at each usual speed, and `?` where a prompt answers. Nothing moves; a combined move
     that is under way may end by the first byte. No program that drives the dish is disturbed: its port is busy.

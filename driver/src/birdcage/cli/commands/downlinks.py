@@ -66,7 +66,7 @@ def command(satellite: tuple[str, ...], every: bool) -> None:
         from birdcage.cli.named_target import resolver_of
 
         problem = resolver_of(paths, None, say).resolve(text).problem
-        say(problem or f"What {text} sends is not known.")
+        say(problem or f"No downlink of {text} is known.")
     elif not rows:
         from birdcage.base.config import feed_label
 

@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 PASTED = "pasted"
 
 
-@click.command("add", short_help="Take in elements from files, folders, or stdin.", epilog=DATA_EPILOG)
+@click.command("add", short_help="Add elements from files, folders, or stdin.", epilog=DATA_EPILOG)
 @click.argument("paths", metavar="PATH|-...", nargs=-1, required=True, type=click.Path(allow_dash=True))
-@click.option("--group", metavar="NAME", help="Let the satellites belong to a group of this name.")
+@click.option("--group", metavar="NAME", help="Put the satellites in a group of this name.")
 @global_options("config", "json", "verbose")
 @click.pass_context
 def add(context: click.Context, paths: tuple[str, ...], group: str | None) -> None:

@@ -79,7 +79,7 @@ def offset(satellite: str, seconds: str | None) -> None:
         tell(f"{entry.name}: no time offset.")
     else:
         later = "later" if entry.time_offset_s >= 0 else "earlier"
-        old = ", before the present elements came" if entry.time_offset_set < entry.fetched else ""
+        old = ", before the current elements came" if entry.time_offset_set < entry.fetched else ""
         dated = f"set {entry.time_offset_set:%Y-%m-%d %H:%M} UTC{old}"
         tell(f"{entry.name}: {abs(entry.time_offset_s):g} s {later} than computed, {dated}.")
 

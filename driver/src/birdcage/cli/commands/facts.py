@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 @click.option("--forget", is_flag=True, help="Forget what was learnt: another dish is at this adapter.")
 @global_options()
 def command(forget: bool) -> None:
-    """List what is known of this dish, with units and who says so.
+    """List what is known of this dish, with units and sources.
 
     documented: papers, logs or working programs have it. measured: somebody measured it at such a dish. inferred: an
     assumption. learnt: birdcage saw it at this dish. user: you say so, in [dish.facts] of birdcage.toml or with

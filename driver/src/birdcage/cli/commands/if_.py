@@ -84,7 +84,7 @@ def _sent_by(words: tuple[str, ...], paths: Paths, downlinks: Downlinks) -> tupl
     if note:
         say(note)
     if not rows:
-        raise ConfigError(f"What {name} sends is not known. Give --rf. `birdcage downlinks --all` lists what is.")
+        raise ConfigError(f"No downlink of {name} is known. Give --rf. `birdcage downlinks --all` lists all that are.")
     rows = tuple(each for each in rows if each.alive is not False) or rows
     return tuple(dict.fromkeys(each.center_hz for each in rows))
 

@@ -50,7 +50,7 @@ def gps(receiver: str | None, use_it: bool, name: str | None, gps_baud: int | No
         used = "-" if fix.satellites is None else fix.satellites
         say(f"By {fix.source}: {used} satellites, HDOP {'-' if fix.hdop is None else f'{fix.hdop:g}'}"
             f"{'' if fix.height_m is not None else ', height not known'}.")  # fmt: skip
-        say("The receiver told no time." if verdict is None else verdict.sentence)
+        say("The receiver gave no time." if verdict is None else verdict.sentence)
     if verdict is not None:
         remember(paths.state, verdict)
     if use_it:

@@ -18,7 +18,7 @@ ON, OFF = ("on", "yes", "true", "1"), ("off", "no", "false", "0")
 @click.command("set", epilog=exits.EPILOG, context_settings=NEGATIVE_NUMBERS)
 @click.argument("name")
 @click.argument("value", required=False)
-@click.option("--yes", is_flag=True, help="Agree to what it does, without being asked.")
+@click.option("--yes", is_flag=True, help="Agree to what it does in advance.")
 @global_options()
 def command(name: str, value: str | None, yes: bool) -> None:
     """Set a feature of the dish, and print what was read back; `birdcage features` lists names and ranges.

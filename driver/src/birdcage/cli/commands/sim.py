@@ -17,7 +17,7 @@ from birdcage.cli.options import DEMO_FIRMWARE, flags, global_options
 @click.option("--seed", type=int, default=1, show_default=True, help="Seed of all random numbers.")
 @click.option("--unhomed", is_flag=True, help="Start not homed, as after power-up with the TV search off.")
 @click.option("--boot", is_flag=True, help="Start at power-on, with the boot log.")
-@click.option("--pace-baud", type=click.IntRange(0), default=0, help="Send bytes as slowly as this baud rate does.")
+@click.option("--pace-baud", type=click.IntRange(0), default=0, help="Send bytes at the pace of this baud rate.")
 @click.option("--link", type=click.Path(path_type=Path), help="A symbolic link to the pty: a name that stays.")
 @click.option("--tcp", is_flag=True, help="Serve on 127.0.0.1 instead of a pty.")
 @click.option("--rig", type=click.IntRange(0, 65535), metavar="PORT",

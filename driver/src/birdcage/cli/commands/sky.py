@@ -65,6 +65,6 @@ def command(
     if rows:
         say("Elevations are without refraction.")
     if len(rows) < len(up.rows):
-        say(f"{len(up.rows) - len(rows)} more stand lower: --limit N shows them.")
+        say(f"{len(up.rows) - len(rows)} more are lower: --limit N shows them.")
     if not rows:
-        say(f"Nothing stands above {min_elevation:g}° there.")
+        say(f"Nothing is above {min_elevation:g}° there.")

@@ -94,9 +94,7 @@ def _ring_one(owner: Owner) -> dict[str, Any] | None:
         return None
     except KeyboardInterrupt:
         ended = EndedBySignal(signal.SIGINT)
-        ended.add_note(
-            f"Process {owner.pid} was told to stop the dish. What came of it is not known: look at the dish."
-        )
+        ended.add_note(f"Process {owner.pid} was told to stop the dish. The result is unknown: look at the dish.")
         raise ended from None
     return {"by": BY, "means": "none", "confirmed": False, "sentence": sentence}
 

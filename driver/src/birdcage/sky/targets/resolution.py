@@ -76,7 +76,7 @@ class Resolution:
     exact: bool = False
     """Whether that is by its whole name, its number or numbers typed, and not by a part of a name."""
     reason: Reason | None = None
-    """None if something is found; else `UNKNOWN`, `ABSENT`, `AMBIGUOUS`, `SILENT` or `ANGLE`."""
+    """`UNKNOWN`, `ABSENT`, `AMBIGUOUS`, `SILENT` or `ANGLE` where nothing is found."""
     problem: str = ""
     """Why nothing is found, and what to type or do; empty if something is."""
     candidates: tuple[TargetCandidate, ...] = ()
