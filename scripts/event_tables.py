@@ -124,8 +124,11 @@ def page() -> str:
     inside = [each for each in request_types().values() if each not in FROM_OUTSIDE.values()]
     parts = [*parts_of([*events, *FROM_OUTSIDE.values(), *inside]), Reading]
     lines = [HEADER, "\\* may be left out when read.\n", "## Events\n"]
-    lines += ["Each has `at`, the monotonic seconds at which it happened, and `utc`, the same as a time.", ""]
-    lines += [f"- [{each.__name__}](#{each.__name__.lower()})" for each in (*events, EventsEnded)]
+    lines += [
+        "Each has `at`, the monotonic seconds at which it happened, and `utc`, the same as a time. On the control"
+    ]
+    lines += ["channel the last line is [EventsEnded](#eventsended), which has neither.", ""]
+    lines += [f"- [{each.__name__}](#{each.__name__.lower()})" for each in events]
     for each in (*events, EventsEnded):
         lines += section(each)
     lines += ["\n## What events hold"]

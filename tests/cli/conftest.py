@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import socket
 import subprocess
 import sys
 import threading
@@ -13,7 +15,7 @@ from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
 from birdcage.station.build import open_session
-from birdcage.station.control_client import find_owners, owners_folder
+from birdcage.station.control_client import find_owners, owner_file, owners_folder
 from birdcage.station.control_server import ControlServer
 from birdcage.station.state import LinkPhase
 from click.testing import CliRunner
@@ -106,3 +108,27 @@ def owner(pty_dish):
     yield session
     session.close()
     control_server.close()
+
+
+@pytest.fixture
+def older_owner(tmp_path):
+    """The port of a program that takes every line for one that it does not know, as an older birdcage does."""
+    port = tmp_path / "older"
+    port.touch()
+    folder = owners_folder(Paths.default())
+    folder.mkdir(parents=True, exist_ok=True)
+    with socket.create_server(("127.0.0.1", 0)) as older:
+        told = {"pid": 1, "tcp_port": older.getsockname()[1], "token": "t", "port": str(port), "asked": str(port)}
+        owner_file(folder, str(port)).write_text(json.dumps(told))
+
+        def answer() -> None:
+            with contextlib.suppress(OSError):
+                while True:
+                    caller, _ = older.accept()
+                    with caller:
+                        caller.recv(4096)
+                        caller.sendall(b'{"ok": false, "error": "cannot do None"}\n')
+
+        threading.Thread(target=answer, daemon=True).start()
+        yield str(port)
+        older.shutdown(socket.SHUT_RDWR)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import signal
 
 import pytest
+from birdcage.base.paths import Paths
+from birdcage.station.holding import find_held
 from birdcage.station.requests import Goto
 
 from .conftest import PtyDish
@@ -57,6 +59,14 @@ def test_a_port_that_is_not_there_is_not_held_by_guess(run):
     result = run("hold", port="/dev/ttyUSB99")
     assert result.exit_code == 1
     assert "is not there" in result.stderr
+
+
+def test_hold_beside_a_program_of_another_version_holds_for_all_that_start(run, older_owner):
+    result = run("hold", port=older_owner)
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert "Is it an older birdcage?" in result.stderr
+    assert "Every birdcage program that starts now finds it HELD." in result.stderr
+    assert find_held(Paths.default(), older_owner) is not None
 
 
 def test_an_owner_stops_holds_and_releases(run, as_json, pty_dish, owner):

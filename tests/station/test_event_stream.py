@@ -89,7 +89,7 @@ def test_who_reads_too_slowly_is_told_and_dropped_and_the_station_does_not_wait(
         tell(owner, f"{number} " + "x" * 500)
     assert time.monotonic() - begun < 5.0
     *events, last = lines_of(caller)
-    assert 0 < len(events) < 20 * LONGEST_QUEUE
+    assert len(events) < 20 * LONGEST_QUEUE
     assert [each["text"].split()[0] for each in events] == [str(number) for number in range(len(events))]
     assert (last["type"], last["why"]) == ("EventsEnded", "slow")
     until(lambda: owner.board._listeners == (owner.server._hear,))

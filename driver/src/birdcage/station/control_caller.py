@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import hmac
+import logging
 import socket
 import threading
 import time
@@ -35,6 +36,9 @@ ANSWER_S = 5.0
 """How long a caller may take to read its answer."""
 DRAIN_BYTES = 2**21
 """How much of a line that is too long is read and dropped, for its caller to reach the answer."""
+
+
+log = logging.getLogger(__name__)
 
 
 class OutsideWatches:
@@ -105,6 +109,7 @@ class ControlCaller:
         return messages.call_from_json(told)
 
     def _serve(self, call: ControlCall) -> None:
+        log.debug("%s asks: %s", call.by, type(call.request).__name__)
         if not call.events:
             self._say(self._answer(call))
             return

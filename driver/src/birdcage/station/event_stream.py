@@ -25,7 +25,7 @@ LONGEST_QUEUE = 500
 """Events that wait for one caller: a minute or more of a dish that is followed."""
 KERNEL_BYTES = 65536
 """What the system keeps for one caller, beside the queue."""
-LAST_LINE_S = 2.0
+LAST_LINE_S = 10.0
 """How long a caller that was slow, or that a program takes leave of, may take to read the last line."""
 
 log = logging.getLogger(__name__)

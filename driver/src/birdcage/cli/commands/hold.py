@@ -19,7 +19,7 @@ def command(context: click.Context) -> None:
     Other programs ignore it: to work on the dish, cut its power.
     """
     from birdcage.base.clock import RealClock
-    from birdcage.base.errors import NoReply
+    from birdcage.base.errors import CommandRefused, NoReply
     from birdcage.base.held import user_name
     from birdcage.cli.owners import ring_owners
     from birdcage.cli.say import tell, tell_json
@@ -29,7 +29,7 @@ def command(context: click.Context) -> None:
     dish, by, now = wanted(), f"{user_name()} (birdcage hold)", RealClock().utc()
     try:
         told = ring_owners(dish, HoldDish(by), by)
-    except NoReply as error:
+    except (NoReply, CommandRefused) as error:
         hold(dish.paths, dish.port, by, now)
         error.add_note("Every birdcage program that starts now finds it HELD.")
         raise
