@@ -86,6 +86,8 @@ class Scheduled:
     kept: bool
     why: str = ""
     """Why it is left out, or cut short: `overlaps METEOR-M2 4 (priority 2)`."""
+    is_part: bool = False
+    """Whether what is kept is less than its pass: joined late, or left early."""
 
     def is_same_pass(self, other: Scheduled) -> bool:
         """Return whether two rows are of one pass."""

@@ -58,7 +58,7 @@ def schedule(
     if held is not None and present is not None and present.following:
         pieces.remove(held)
         settled.append(_as_planned(held, present.scheduled))
-        rows.append(_row(settled[0], present.scheduled.why))
+        rows.append(_row(settled[0], present.scheduled.why, is_part=present.scheduled.is_part))
     for priority in sorted({piece.candidate.priority for piece in pieces}, reverse=True):
         same = [piece for piece in pieces if piece.candidate.priority == priority]
         offered, refused = _offered(same, rules, settled, turning)
@@ -66,7 +66,7 @@ def schedule(
         values = [_value(each, bonus if held and each.candidate is held.candidate else timedelta()) for each in offered]
         chosen = [offered[index] for index in _best_chain(offered, values, turning)]
         rows += refused
-        rows += [_row(each, cut_short(each, settled)) for each in chosen]
+        rows += [_row(each, cut_short(each, settled), is_part=each.late or each.short) for each in chosen]
         rows += [_row(each, overlapped(each, chosen, turning), kept=False) for each in offered if each not in chosen]
         settled = sorted((*settled, *chosen), key=lambda piece: piece.order)
     return tuple(sorted(rows, key=lambda row: (row.reach_start, row.reach_end, row.norad_id, row.name)))
@@ -149,12 +149,12 @@ def _is_of(piece: Piece, was: Scheduled) -> bool:
 
 def _as_planned(piece: Piece, was: Scheduled) -> Piece:
     """Return the pass that is followed: to its end by the newest elements, or to where it was to be cut short."""
-    if not was.why:
+    if not was.is_part:
         return piece
     return piece.part(piece.start, was.reach_end) or piece
 
 
-def _row(piece: Piece, why: str = "", *, kept: bool = True) -> Scheduled:
+def _row(piece: Piece, why: str, *, kept: bool = True, is_part: bool = False) -> Scheduled:
     passing, reach = piece.candidate.passing, piece.candidate.reach
     # What was missed of a pass that has begun does not make it a lower one.
     best_el_deg = piece.best_el_deg
@@ -162,5 +162,5 @@ def _row(piece: Piece, why: str = "", *, kept: bool = True) -> Scheduled:
         best_el_deg = reach.best_el_deg
     return Scheduled(
         passing.name, passing.norad_id, piece.told_start, piece.end, piece.told.total_seconds(),
-        passing.max_elevation_deg, best_el_deg, piece.candidate.priority, kept, why,
+        passing.max_elevation_deg, best_el_deg, piece.candidate.priority, kept, why, is_part,
     )  # fmt: skip
