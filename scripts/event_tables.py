@@ -55,7 +55,7 @@ from the classes, and a test holds it to them.
 OUTSIDE = """
 ## Requests from other programs
 
-These may be asked through the control channel, and no others: none of them moves the dish. The result of each stands
+These may be asked through the control channel, and no others: none of them is a motion. The result of each stands
 under its table.
 """
 INSIDE = """

@@ -56,7 +56,7 @@ ControlRequest = Stop | HoldDish | Release | TellStatus | ListFeatures | Read | 
 FROM_OUTSIDE: Mapping[str, type] = {
     each.__name__: each for each in (Stop, HoldDish, Release, TellStatus, ListFeatures, Read, Set, Watch, Unwatch)
 }
-"""What another program may ask, by name. No request here moves the dish."""
+"""What another program may ask, by name. None of them is a motion."""
 
 
 RESULTS: Mapping[type, Shape] = {Read: shape_of(Mapping[str, Reading]), Set: shape_of(Reading)}
