@@ -5,17 +5,14 @@ It stands for one behind a library: a call brings an answer, or an error. Its en
 
 from __future__ import annotations
 
-import threading
 from dataclasses import replace
 
-from birdcage.base.clock import WaitOutcome
-from birdcage.base.errors import LinkError, NoReply
-from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
-from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Look, Survey, Taken
+
+from birdcage_toys.library import LibraryRotator
 
 MACHINES = {}
 AXES = "azimuth", "elevation"
@@ -46,54 +43,16 @@ FACTS = Facts(
 )
 
 
-class Learner(PlainRotator):
-    facts = FACTS
+class Learner(LibraryRotator):
+    facts, machines = FACTS, MACHINES
 
     def __init__(self):
-        self.line, self._machine, self._clock = PlainLine(), None, None
-        self._writing, self._stops = threading.RLock(), 0
-
-    @property
-    def is_open(self):
-        return self._machine is not None
-
-    @property
-    def clock(self):
-        if self._clock is None:
-            raise LinkError("Learner is not open.", reason=Reason.LOST)
-        return self._clock
+        super().__init__()
+        self._stops = 0
 
     def open(self, address, baud, clock, hooks):
-        machine = MACHINES.get(address)
-        if machine is None or not machine.plugged:
-            raise LinkError(f"There is no Learner at {address}.", reason=Reason.MISSING)
-        self._machine, self._clock, self._hooks, self._stops = machine, clock, hooks, 0
-        self.line, self.is_simulated = PlainLine(hooks.delay_s), True
-
-    def close(self, within_s):
-        self._machine = self._clock = None
-
-    def _pause(self, until):
-        while self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
-            self._hooks.on_wake()
-
-    def _call(self, function, *given, permit=None):
-        clock = self.clock
-        asked = clock.monotonic()
-        try:
-            with self._writing:
-                if permit is not None:
-                    permit()
-                result = function(*given)
-        except ConnectionError as gone:
-            raise LinkError("Learner is gone.", reason=Reason.LOST) from gone
-        except TimeoutError as silence:
-            self._pause(asked + self.line.delay_s)
-            self.line.note_silence()
-            raise NoReply("Learner is silent.", reason=Reason.SILENT) from silence
-        self._pause(asked + 0.02)
-        self.line.note(asked, clock.monotonic())
-        return result
+        super().open(address, baud, clock, hooks)
+        self._stops = 0
 
     def meet(self):
         (az_low, az_high), (el_low, el_high) = self._call(self._machine.limits)
@@ -120,18 +79,9 @@ class Learner(PlainRotator):
         with self._writing:
             machine = self._machine
             if machine is None or not machine.plugged:
-                raise LinkError("Learner is gone.", reason=Reason.LOST)
+                raise self._gone()
             self._stops += machine.halt()
 
     def settle(self, within_s):
         done, self._stops = self._stops, 0
-        self._pause(self.clock.monotonic() + (0.02 if done else within_s))
-        if not done:
-            raise NoReply("Learner did not answer STOP.", reason=Reason.SILENT)
-        return (None,) * done
-
-    def listen(self, until):
-        if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
-            self._hooks.on_wake()
-        if not self._machine.plugged:
-            raise LinkError("Learner is gone.", reason=Reason.LOST)
+        return self._stop_answers(within_s, [True] * done or [False])

@@ -4,42 +4,24 @@ from __future__ import annotations
 
 import itertools
 
-from birdcage.testing import SeenCommand, Truth, Twin
+from birdcage.testing import SeenCommand, Truth
 
 from birdcage_toys.learner import MACHINES
 from birdcage_toys.motor import Motor
+from birdcage_toys.plugged_twin import PluggedTwin
 
 _numbers = itertools.count()
 
 
-class LearnerTwin(Twin):
+class LearnerTwin(PluggedTwin):
     def __init__(self, clock, az=(20.0, 340.0), el=(8.0, 72.0), speed_deg_s=9.0):
-        self.clock, self.address = clock, f"learner:{next(_numbers)}"
+        super().__init__(clock)
+        self.address, self._limits = f"learner:{next(_numbers)}", (az, el)
         self.motors = [Motor(clock, 120.0, speed_deg_s), Motor(clock, 30.0, speed_deg_s)]
-        self.calls = 0
-        self.plugged, self.muted, self.heard, self._limits = True, False, [], (az, el)
         MACHINES[self.address] = self
 
     def truth(self):
         return Truth(*(motor.deg for motor in self.motors), any(motor.moving for motor in self.motors))
-
-    def taken(self):
-        return self.heard
-
-    def received(self):
-        return self.calls
-
-    def unplug(self):
-        self.plugged = False
-
-    def plug(self):
-        self.plugged = True
-
-    def mute(self):
-        self.muted = True
-
-    def unmute(self):
-        self.muted = False
 
     # its library
     def _answer(self):

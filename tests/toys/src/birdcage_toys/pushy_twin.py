@@ -8,47 +8,36 @@ from collections import deque
 from birdcage.base.errors import LinkError
 from birdcage.base.reason import Reason
 from birdcage.link.link import Link
-from birdcage.testing import SeenCommand, Truth, Twin
+from birdcage.testing import SeenCommand, Truth
 
 from birdcage_toys.motor import Motor
+from birdcage_toys.plugged_twin import PluggedTwin
 
 EVERY_S = 0.2
 LATENCY_S = 0.05
 
 
-class PushyTwin(Twin):
+class PushyTwin(PluggedTwin):
     address = "pushy"
     name, demo = "pushy", True
 
     def __init__(self, clock, turn_deg=100.0):
-        self.clock = clock
+        super().__init__(clock)
         self.motors = [Motor(clock, turn_deg, 12.0), Motor(clock, 30.0, 12.0)]
-        self.heard, self.sent_to, self.lines = [], [], 0
+        self.sent_to = []
         self.lamp, self.supply_v = 0, 12.1
-        self.plugged, self.muted, self.sessions = True, False, 0
         self._out, self._push_at, self._buffer = deque(), clock.monotonic(), b""
 
     def truth(self):
         return Truth(*(motor.deg for motor in self.motors), any(motor.moving for motor in self.motors))
 
-    def taken(self):
-        return self.heard
-
-    def received(self):
-        return self.lines
-
-    def unplug(self):
-        self.plugged = False
-
-    def plug(self):
-        self.plugged = True
-
     def mute(self):
-        self.muted = True
+        super().mute()
         self._out.clear()
 
     def unmute(self):
-        self.muted, self._push_at = False, self.clock.monotonic() + EVERY_S
+        super().unmute()
+        self._push_at = self.clock.monotonic() + EVERY_S
 
     def dial(self, address, baud):
         if not self.plugged:
@@ -96,7 +85,7 @@ class PushyTwin(Twin):
 
     def _take(self, words):
         self._run()
-        self.lines += 1
+        self.calls += 1
         if words[0] in "LV":
             self.lamp = int(words[1]) if words[1:] else self.lamp
             told = f"L {self.lamp}\n" if words[0] == "L" else f"V {self.supply_v}\n"

@@ -12,15 +12,15 @@ import time
 from dataclasses import replace
 from math import asin, atan2, cos, degrees, radians, sin
 
-from birdcage.base.clock import WaitOutcome
-from birdcage.base.errors import LinkError, NoReply, PositionUnknown
+from birdcage.base.errors import PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
 from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, Rung, StopMeans
 from birdcage.rotator.mapping import Arc
-from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.values import Taken
+
+from birdcage_toys.library import LibraryRotator
 
 MACHINES = {}
 LEAVE_S = 1.0
@@ -106,36 +106,22 @@ class Halter:
         self._thread.join(LEAVE_S)
 
 
-class Swing(PlainRotator):
-    facts = FACTS
+class Swing(LibraryRotator):
+    facts, machines = FACTS, MACHINES
 
     def __init__(self):
-        self.line, self._machine, self._clock, self._halter = PlainLine(), None, None, None
-        self._writing = threading.RLock()
-
-    @property
-    def is_open(self):
-        return self._machine is not None
-
-    @property
-    def clock(self):
-        if self._clock is None:
-            raise LinkError("Swing is not open.", reason=Reason.LOST)
-        return self._clock
+        super().__init__()
+        self._halter = None
 
     def open(self, address, baud, clock, hooks):
-        machine = MACHINES.get(address)
-        if machine is None or not machine.plugged:
-            raise LinkError(f"There is no Swing at {address}.", reason=Reason.MISSING)
-        self._machine, self._clock, self._hooks = machine, clock, hooks
-        self.line, self.is_simulated = PlainLine(hooks.delay_s), True
+        super().open(address, baud, clock, hooks)
         self._halter = Halter(self._stop_motor)
 
     def close(self, within_s):
         halter, self._halter = self._halter, None
         if halter is not None:
             halter.end()
-        self._machine = self._clock = None
+        super().close(within_s)
 
     def _stop_motor(self):
         machine = self._machine
@@ -143,27 +129,6 @@ class Swing(PlainRotator):
             raise ConnectionError
         with self._writing:  # after a move that is just being sent
             machine.halt()
-
-    def _pause(self, until):
-        while self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
-            self._hooks.on_wake()
-
-    def _call(self, function, *given, permit=None):
-        clock = self.clock
-        asked = clock.monotonic()
-        try:
-            with self._writing:
-                if permit is not None:
-                    permit()
-                function(*given)
-        except ConnectionError as gone:
-            raise LinkError("Swing is gone.", reason=Reason.LOST) from gone
-        except TimeoutError as silence:
-            self._pause(asked + self.line.delay_s)
-            self.line.note_silence()
-            raise NoReply("Swing is silent.", reason=Reason.SILENT) from silence
-        self._pause(asked + 0.02)
-        self.line.note(asked, clock.monotonic())
 
     def meet(self):
         self._call(self._machine.ping)
@@ -181,18 +146,8 @@ class Swing(PlainRotator):
     def stop_now(self, order):
         halter, machine = self._halter, self._machine
         if halter is None or not machine.plugged:
-            raise LinkError("Swing is gone.", reason=Reason.LOST)
+            raise self._gone()
         halter.ask()
 
     def settle(self, within_s):
-        answers = self._halter.answers(within_s) if self._halter is not None else []
-        self._pause(self.clock.monotonic() + (0.02 if all(answers) else within_s))
-        if not all(answers):
-            raise NoReply("Swing did not answer STOP.", reason=Reason.SILENT)
-        return (None,) * len(answers)
-
-    def listen(self, until):
-        if self.clock.wait(None, until, self._hooks.wake) is WaitOutcome.INTERRUPTED and self._hooks.on_wake:
-            self._hooks.on_wake()
-        if not self._machine.plugged:
-            raise LinkError("Swing is gone.", reason=Reason.LOST)
+        return self._stop_answers(within_s, self._halter.answers(within_s) if self._halter is not None else [])

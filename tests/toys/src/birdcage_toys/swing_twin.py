@@ -6,9 +6,10 @@ import itertools
 import threading
 from math import asin, atan2, cos, degrees, radians, sin
 
-from birdcage.testing import SeenCommand, Truth, Twin
+from birdcage.testing import SeenCommand, Truth
 
 from birdcage_toys.motor import Motor
+from birdcage_toys.plugged_twin import PluggedTwin
 from birdcage_toys.swing import MACHINES
 
 _numbers = itertools.count()
@@ -22,11 +23,11 @@ def turned(east, north, up, by_deg):
     return east, north * cos(by) - up * sin(by), north * sin(by) + up * cos(by)
 
 
-class SwingTwin(Twin):
+class SwingTwin(PluggedTwin):
     def __init__(self, clock, latitude_deg=48.0, hour_deg=-20.0, speed_deg_s=2.0):
-        self.clock, self.address, self.latitude_deg = clock, f"swing:{next(_numbers)}", latitude_deg
+        super().__init__(clock)
+        self.address, self.latitude_deg = f"swing:{next(_numbers)}", latitude_deg
         self.motor = Motor(clock, hour_deg, speed_deg_s)
-        self.plugged, self.muted, self.heard, self.calls = True, False, [], 0
         self.free = threading.Event()
         """While it is not set, `halt` waits, as a real one does for its motor."""
         self.free.set()
@@ -43,24 +44,6 @@ class SwingTwin(Twin):
 
     def truth(self):
         return Truth(*self.direction(), self.motor.moving)
-
-    def taken(self):
-        return self.heard
-
-    def received(self):
-        return self.calls
-
-    def unplug(self):
-        self.plugged = False
-
-    def plug(self):
-        self.plugged = True
-
-    def mute(self):
-        self.muted = True
-
-    def unmute(self):
-        self.muted = False
 
     # its library
     def _answer(self):
