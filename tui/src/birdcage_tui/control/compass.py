@@ -6,27 +6,12 @@ import math
 from dataclasses import dataclass
 
 from birdcage_tui.drawing.canvas import Braille
-from birdcage_tui.drawing.terminal_cells import ASPECT
+from birdcage_tui.drawing.dial import Dial
 
 
 @dataclass(frozen=True, slots=True)
-class Compass:
+class Compass(Dial):
     """A round dial in the middle of `width` by `height` cells."""
-
-    width: int
-    height: int
-    aspect: float = ASPECT
-    """Height over width of a cell."""
-
-    @property
-    def dot_aspect(self) -> float:
-        """Height over width of a dot: a cell is 2 dots wide and 4 tall."""
-        return self.aspect / 2.0
-
-    @property
-    def radius(self) -> float:
-        """Widths of a dot from the hub to the rim."""
-        return max(4.0, min(self.width * 2 - 8, (self.height * 4 - 4) * self.dot_aspect) / 2)
 
     @property
     def middle(self) -> tuple[float, float]:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import beside
 
 from birdcage_tui.drawing.canvas import Braille
-from birdcage_tui.drawing.terminal_cells import ASPECT
+from birdcage_tui.drawing.dial import Dial
 
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
@@ -18,23 +19,8 @@ _BEAM_POINTS = 48
 
 
 @dataclass(frozen=True, slots=True)
-class Polar:
+class Polar(Dial):
     """A disc in dots on a canvas of `width` by `height` cells."""
-
-    width: int
-    height: int
-    aspect: float = ASPECT
-    """Height over width of a cell."""
-
-    @property
-    def dot_aspect(self) -> float:
-        """Height over width of a dot: a cell is 2 dots wide and 4 tall."""
-        return self.aspect / 2.0
-
-    @property
-    def radius(self) -> float:
-        """Widths of a dot from zenith to horizon."""
-        return max(4.0, min(self.width * 2 - 8, (self.height * 4 - 4) * self.dot_aspect) / 2)
 
     @property
     def middle(self) -> tuple[float, float]:
@@ -89,3 +75,30 @@ class Polar:
                     continue
                 if (math.degrees(math.atan2(dx, -dy)) - az_from_deg) % 360 <= az_span_deg:
                     canvas.dot(x0 + dx, y0 + row, ink)
+
+
+@dataclass(frozen=True, slots=True)
+class WayDot:
+    """One dot of a target's way."""
+
+    dot: tuple[float, float]
+    held: bool
+    """Whether the dish can hold it there."""
+    past: bool
+
+    @property
+    def look(self) -> tuple[str, float]:
+        """Ink and spacing: bright and dense in reach, quiet outside, thin where it has been."""
+        return "target" if self.held else "text", 3.5 if self.past else 1.0 if self.held else 2.4
+
+
+def draw_way(canvas: Braille, way: Iterable[WayDot]) -> None:
+    """Draw the way of a target as a dotted line, each piece in its look."""
+    pieces: list[tuple[tuple[str, float], list[tuple[float, float]]]] = []
+    for each in way:
+        if pieces and pieces[-1][0] == each.look:
+            pieces[-1][1].append(each.dot)
+        else:
+            pieces.append((each.look, [pieces[-1][1][-1], each.dot] if pieces else [each.dot]))
+    for (ink, spacing), dots in pieces:
+        canvas.dotted(dots, ink, spacing)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from textual.geometry import Size
 
 from birdcage_tui.drawing.canvas import Braille, Cells
-from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.drawing.polar import Polar, WayDot, draw_way
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.told import LINES, PassText
 from birdcage_tui.shown.pass_words import clock_text
@@ -70,25 +70,16 @@ class PassSky(Pane):
 
     @staticmethod
     def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:
-        """Draw the way: bright in reach, quiet outside; gone is dotted."""
+        """Draw the way, as far as its path is known."""
         assert row.path is not None
-        span = row.los_s - row.aos_s
-        pieces: list[tuple[str, float, list[tuple[float, float]]]] = []
+        span, way = row.los_s - row.aos_s, []
         for step in range(STEPS + 1):
             at_s = row.aos_s + span * step / STEPS
             place = row.path.at(min(max(at_s, row.path.t_s[0]), row.path.t_s[-1]))
-            if place is None:
-                continue
-            loud = row.reach is not None and row.reach.holds(at_s)
-            look = ("target" if loud else "text", 3.5 if at_s < t_s else 1.0 if loud else 2.4)
-            dot = polar.dot(place[0], max(place[1], 0.0))
-            if pieces and pieces[-1][:2] == look:
-                pieces[-1][2].append(dot)
-            else:
-                start = [pieces[-1][2][-1]] if pieces else []
-                pieces.append((*look, [*start, dot]))
-        for ink, spacing, dots in pieces:
-            canvas.dotted(dots, ink, spacing)
+            if place is not None:
+                held = row.reach is not None and row.reach.holds(at_s)
+                way.append(WayDot(polar.dot(place[0], max(place[1], 0.0)), held, at_s < t_s))
+        draw_way(canvas, way)
 
     @staticmethod
     def _ends(cells: Cells, polar: Polar, row: Row) -> None:

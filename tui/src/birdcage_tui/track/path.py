@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.geometry import separation, shortest_turn
 
 from birdcage_tui.drawing.canvas import Braille
-from birdcage_tui.drawing.polar import Polar
+from birdcage_tui.drawing.polar import Polar, WayDot, draw_way
 from birdcage_tui.shown.pursuit import to_true
 from birdcage_tui.shown.view import View
 
@@ -67,17 +67,10 @@ def _spots(plan: Plan, view: View) -> list[Spot]:
 
 def draw_path(canvas: Braille, polar: Polar, spots: tuple[Spot, ...], now_s: float) -> None:
     """Draw the way of the target, past dotted, bright in reach; beside it that of the dish where it differs."""
-    pieces: list[tuple[str, float, list[tuple[float, float]]]] = []
-    for spot in spots:
-        look = ("target" if spot.held else "text", 3.5 if spot.t_s < now_s else 1.0 if spot.held else 2.4)
-        dot = polar.dot(spot.az_deg, max(spot.el_deg, 0.0))
-        if pieces and pieces[-1][:2] == look:
-            pieces[-1][2].append(dot)
-        else:
-            start = [pieces[-1][2][-1]] if pieces else []
-            pieces.append((*look, [*start, dot]))
-    for ink, spacing, dots in pieces:
-        canvas.dotted(dots, ink, spacing)
+    draw_way(
+        canvas,
+        (WayDot(polar.dot(spot.az_deg, max(spot.el_deg, 0.0)), spot.held, spot.t_s < now_s) for spot in spots),
+    )
     for spot in spots:
         if spot.course is not None and separation(*spot.course, spot.az_deg, spot.el_deg) > APART_DEG:
             canvas.dot(*polar.dot(*spot.course), "accent")
