@@ -56,8 +56,8 @@ class DeskWork:
         self._begun = False
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
-        self._sheet = PlanKeeper(station, clock, setup, self._follower, post, self.look_again, threads=threads)
-        self._keeper = ResumeStore(None if setup.demo else ResumeFile(setup.paths.state), takes_up=setup.takes_up)
+        self._plans = PlanKeeper(station, clock, setup, self._follower, post, self.look_again, threads=threads)
+        self._unfinished = ResumeStore(None if setup.demo else ResumeFile(setup.paths.state), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable(setup.paths.downlinks_file))
         self._stopped = StoppedPursuit()
         self._by_autotrack = False
@@ -65,7 +65,7 @@ class DeskWork:
         self._query = ""
         self._found: tuple[TargetMatch, ...] = ()
         self._found_note = ""
-        self._pointer, self._below = Pointer(self._sheet.finder), BelowWords()
+        self._pointer, self._below = Pointer(self._plans.finder), BelowWords()
         self._mode, self._problem = Mode.WATCH, ""
         self._file_at = self._tell_at = -math.inf
         self._changed = True
@@ -75,8 +75,8 @@ class DeskWork:
     def search(self, text: str) -> None:
         """Look for targets."""
         self._query, self._changed = text, True
-        self._sheet.finder.refresh()
-        self._found, self._found_note = self._sheet.finder.search(text, self._clock.utc(), self._sheet.observer)
+        self._plans.finder.refresh()
+        self._found, self._found_note = self._plans.finder.search(text, self._clock.utc(), self._plans.observer)
 
     def locate(self, text: str) -> None:
         """Say where a target stands from now on; empty: no longer."""
@@ -88,7 +88,7 @@ class DeskWork:
         self._say("")
         self._follower.problem = ""
         try:
-            self._sheet.choose(text, target)
+            self._plans.choose(text, target)
         except BirdcageError as error:
             self._say(str(error))
             return False
@@ -96,29 +96,29 @@ class DeskWork:
 
     def choose_pass(self, aos: datetime) -> None:
         """Choose a pass."""
-        if self._sheet.choice is not None:
+        if self._plans.choice is not None:
             # Another one, so that the one that may be followed keeps its pass.
-            self._sheet.take(self._sheet.choice.for_another_pass(aos))
+            self._plans.take(self._plans.choice.for_another_pass(aos))
             self._changed = True
 
     def set_time_offset(self, seconds: float) -> None:
         """Set the time offset."""
-        choice = self._sheet.choice
+        choice = self._plans.choice
         if choice is None or choice.elements is None:
             self._say("A time offset needs a satellite. Choose one first.")
             return
         self._say("")
         try:
-            self._sheet.set_time_offset(choice, seconds)
+            self._plans.set_time_offset(choice, seconds)
         except (BirdcageError, ValueError) as error:
             self._say(str(error))
 
     def set_frequency(self, hertz: float | None) -> None:
         """Set the frequency."""
-        if self._sheet.choice is None:
+        if self._plans.choice is None:
             self._say(NO_CHOICE)
             return
-        self._sheet.choice.wanted_hz, self._changed = hertz, True
+        self._plans.choice.wanted_hz, self._changed = hertz, True
 
     def aim_once(self) -> None:
         """Point where it stands."""
@@ -126,7 +126,7 @@ class DeskWork:
         if ready is None:
             return
         choice, at = ready
-        self._sheet.refresh(choice, at)
+        self._plans.refresh(choice, at)
         plan, now_s = choice.plan, at.now.timestamp()
         if plan is not None and plan.sky.start_s <= now_s <= plan.sky.end_s:
             az_deg, el_deg = plan.sky.at(now_s)
@@ -154,10 +154,10 @@ class DeskWork:
 
     def take_up(self, *, asked: bool) -> None:
         """Follow what was left unfinished."""
-        found = self._keeper.found
+        found = self._unfinished.found
         if found is None or not self.choose(found.text):
             return
-        choice = self._sheet.choice
+        choice = self._plans.choice
         assert choice is not None, "one was chosen"
         choice.wanted_hz, choice.wanted_at, choice.time_offset_s = found.frequency_hz, found.aos, found.time_offset_s
         if self.follow(asked=asked):
@@ -172,7 +172,7 @@ class DeskWork:
             self._say("No interrupted pass.")
             return
         autotrack, row = self._stopped.autotrack, self._stopped.row
-        choice = self._sheet.followed if live is not None else self._stopped.choice
+        choice = self._plans.followed if live is not None else self._stopped.choice
         if autotrack:
             self.set_autotrack(True)
             if row is not None and choice is not None:
@@ -181,26 +181,26 @@ class DeskWork:
             plan = live.plan if live is not None else None if found is None else found.plan
             if plan is not None and plan.passing is not None:
                 choice.wanted_at = plan.passing.tca
-            self._sheet.take(choice)
+            self._plans.take(choice)
             if self.follow():
                 self._by_autotrack = autotrack or by_autotrack
         self._stopped.forget()
 
     def forget_unfinished(self) -> None:
         """Forget what was left unfinished."""
-        self._keeper.forget()
+        self._unfinished.forget()
         self._changed = True
 
     def set_autotrack(self, on: bool) -> None:
         """Switch autotrack."""
         self._auto.switch(on)
         self._stopped.forget()
-        self._sheet.finder.refresh()
-        self._say(NO_FAVOURITES if on and not self._sheet.finder.favourites else "")
+        self._plans.finder.refresh()
+        self._say(NO_FAVOURITES if on and not self._plans.finder.favourites else "")
 
     def apply(self, settings: Settings, observer: Observer | None) -> None:
         """Use other settings."""
-        self._sheet.apply(settings, observer)
+        self._plans.apply(settings, observer)
         self._changed = True
 
     def look_again(self) -> None:
@@ -217,35 +217,37 @@ class DeskWork:
             self._begin(now)
         if monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
-            if self._sheet.read_catalogue():
-                self._found, self._found_note = self._sheet.finder.search(self._query, now, self._sheet.observer)
+            if self._plans.read_catalogue():
+                self._found, self._found_note = self._plans.finder.search(self._query, now, self._plans.observer)
                 self._pointer.forget()
                 self._changed = True
         self._notice(now, monotonic)
-        at = self._sheet.circumstances()
+        at = self._plans.circumstances()
         if at is not None:
             self._keep_timetable(at, monotonic)
-            self._sheet.look_before_leaving(at)
-            for choice in self._sheet.all:
-                self._changed |= self._sheet.refresh(choice, at)
-            self._sheet.hand_on()
-            self._sheet.refine(at)
-        rest_s = LOOK_S if self._sheet.all or self._pointer.text or self._auto.on or self._keeper.may_resume else REST_S
+            self._plans.look_before_leaving(at)
+            for choice in self._plans.all:
+                self._changed |= self._plans.refresh(choice, at)
+            self._plans.hand_on()
+            self._plans.refine(at)
+        rest_s = (
+            LOOK_S if self._plans.all or self._pointer.text or self._auto.on or self._unfinished.may_resume else REST_S
+        )
         return min(rest_s, max(self.services.step() - monotonic, 0.0))
 
     def told(self) -> DeskNow | None:
         """Return what there is to be shown; None while that is the same."""
         monotonic = self._clock.monotonic()
-        told_each_second = self._sheet.choice is not None or self._pointer.text
+        told_each_second = self._plans.choice is not None or self._pointer.text
         if not (self._changed or (told_each_second and monotonic >= self._tell_at)):
             return None
         self._changed, self._tell_at = False, monotonic + LOOK_S
-        choice, at = self._sheet.choice, self._sheet.circumstances()
+        choice, at = self._plans.choice, self._plans.circumstances()
         now = self._clock.utc()
         shown = DeskNow(
             now, self._query, self._found, self._found_note, mode=self._mode, autotrack=self._auto.on,
-            located=self._pointer.look(self._sheet.observer, now, self._sheet.settings.tracking.refraction),
-            schedule=self._auto.timetable.rows, unfinished=self._keeper.unfinished,
+            located=self._pointer.look(self._plans.observer, now, self._plans.settings.tracking.refraction),
+            schedule=self._auto.timetable.rows, unfinished=self._unfinished.unfinished,
             resumable=self._resumable(),
             radio=self._radio(),
         )  # fmt: skip
@@ -260,11 +262,11 @@ class DeskWork:
     @property
     def owes(self) -> bool:
         """Whether `end` has something to leave or to end. Any thread."""
-        return self._keeper.keeps or self.services.busy
+        return self._unfinished.keeps or self.services.busy
 
     def end(self) -> None:
         """Leave what there is to be remembered, and end what runs beside."""
-        self._keeper.end()
+        self._unfinished.end()
         self.services.close()
 
     def _begin(self, now: datetime) -> None:
@@ -273,33 +275,33 @@ class DeskWork:
         from birdcage.pursuit.pass_log import PassLog
         from birdcage.pursuit.pass_tuner import PassTuner
 
-        self._keeper.begin(now)
-        paths, settings, services = self._setup.paths, self._sheet.settings, self.services
+        self._unfinished.begin(now)
+        paths, settings, services = self._setup.paths, self._plans.settings, self.services
         tuner = PassTuner(
             self._station, self._clock, settings, services.signal, threads=self._threads,
             changed=lambda: self._post(self.look_again), receiver=self._setup.receiver,
         )  # fmt: skip
         self._radio = lambda: tuner.now
-        services.add(PassLog(paths.journal, paths.passes, site=self._sheet.site))
+        services.add(PassLog(paths.journal, paths.passes, site=self._plans.site))
         services.add(HookListener(settings.hooks, services.remark, self._clock))
         services.add(tuner)
 
     def _why(self) -> str:
         """Return the one thing that a person should know."""
-        choice = self._sheet.choice
+        choice = self._plans.choice
         return (
             self._problem
             or self._follower.problem
-            or (NO_PLACE if choice is not None and self._sheet.observer is None else "")
+            or (NO_PLACE if choice is not None and self._plans.observer is None else "")
             or ("" if choice is None else choice.problem)
-            or self._sheet.finder.problem
-            or self._keeper.problem
+            or self._plans.finder.problem
+            or self._unfinished.problem
             or self.services.problem
         )
 
     def _below_words(self, choice: ChosenTarget) -> str:
         """Return that the choice is below the horizon, of what has no passes to say when it rises."""
-        observer = self._sheet.observer
+        observer = self._plans.observer
         if observer is None or choice.elements is not None:
             return ""
         try:
@@ -312,21 +314,21 @@ class DeskWork:
 
     def _ready(self) -> tuple[ChosenTarget, Circumstances] | None:
         """Return the choice and what a plan is made for; None, and say so, where one is missing."""
-        choice, at = self._sheet.choice, self._sheet.circumstances()
+        choice, at = self._plans.choice, self._plans.circumstances()
         self._say(NO_PLACE if at is None else NO_CHOICE if choice is None else "")
         return None if choice is None or at is None else (choice, at)
 
     def _follow(self, choice: ChosenTarget, at: Circumstances, *, asked: bool) -> bool:
         choice.forget_plan()
-        self._sheet.refresh(choice, at)
+        self._plans.refresh(choice, at)
         plan = choice.plan
         if plan is None or plan.course is None:
             why = choice.problem or ("" if plan is None else " ".join(plan.notes))
             self._say(why or f"{choice.target.name} does not come into reach. Nothing to follow.")
             return False
         self._stopped.forget()
-        self._sheet.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
-        self._follower.follow(plan, options_of(self._sheet.settings, self._setup.controller), asked=asked)
+        self._plans.followed, self._mode, self._by_autotrack = choice, Mode.FOLLOW, False
+        self._follower.follow(plan, options_of(self._plans.settings, self._setup.controller), asked=asked)
         return True
 
     def _resumable(self) -> Resumable | None:
@@ -334,10 +336,10 @@ class DeskWork:
 
     def _after(self, choice: ChosenTarget, now: datetime) -> None:
         """Go on to the next pass after one that came to its end, if that is what its owner has set."""
-        ended, at = self._follower.pursuit, self._sheet.circumstances()
+        ended, at = self._follower.pursuit, self._plans.circumstances()
         end = None if ended is None else reach_end(ended.plan)
         # Autotrack asks for the next one itself; what a person or STOP has ended is over.
-        wanted = self._sheet.settings.tracking.at_end == "next" and not self._auto.on and choice.elements is not None
+        wanted = self._plans.settings.tracking.at_end == "next" and not self._auto.on and choice.elements is not None
         at_its_end = end is not None and now >= end and self._station.state.held is None
         if wanted and at_its_end and self._mode is Mode.FOLLOW and at is not None:
             choice.wanted_at = None
@@ -348,21 +350,21 @@ class DeskWork:
 
     def _notice(self, now: datetime, monotonic: float) -> None:
         """Notice what became of the pursuit, and of the one before this program."""
-        if not self._follower.is_busy and self._sheet.followed is not None:
-            ended, self._sheet.followed, self._changed = self._sheet.followed, None, True
+        if not self._follower.is_busy and self._plans.followed is not None:
+            ended, self._plans.followed, self._changed = self._plans.followed, None, True
             self._auto.timetable.choose_again()
             if self._station.state.held is not None and (pursuit := self._follower.pursuit) is not None:
                 self._stopped.by_stop(ended, pursuit.plan)
             self._after(ended, now)
-        live, followed = self._follower.live, self._sheet.followed
+        live, followed = self._follower.live, self._plans.followed
         elements = None if followed is None else followed.elements
         self.services.follow(
-            None if live is None else LivePass(live, self._sheet.settings, self._sheet.observer, elements)
+            None if live is None else LivePass(live, self._plans.settings, self._plans.observer, elements)
         )
-        self._keeper.note(live, followed, now, monotonic)
-        self._changed |= self._keeper.forget_old(now)
-        tracking = self._sheet.settings.tracking
-        if not self._follower.is_busy and self._keeper.resumes(
+        self._unfinished.note(live, followed, now, monotonic)
+        self._changed |= self._unfinished.forget_old(now)
+        tracking = self._plans.settings.tracking
+        if not self._follower.is_busy and self._unfinished.resumes(
             self._station.state, now, within_s=tracking.resume_within_s, allowed=tracking.resume
         ):
             self.take_up(asked=False)
@@ -375,14 +377,14 @@ class DeskWork:
             self._auto.switch(False)
             self._say("STOP has switched autotrack off.")
         live = self._follower.live
-        self._changed |= self._auto.refresh(self._sheet.finder.favourites, at, live)
+        self._changed |= self._auto.refresh(self._plans.finder.favourites, at, live)
         row = self._auto.wants(at.now, monotonic, live, of_person=not self._by_autotrack)
         if row is None:
             return
         asked = self._auto.just_on
         self._auto.asked_for(row, monotonic)
-        if self.choose(str(row.norad_id)) and self._sheet.choice is not None:
-            self._sheet.take(self._sheet.choice.for_another_pass(row.reach_start))
+        if self.choose(str(row.norad_id)) and self._plans.choice is not None:
+            self._plans.take(self._plans.choice.for_another_pass(row.reach_start))
             self._by_autotrack = self.follow(asked=asked)
 
     def _aimed(self, done: Future[object]) -> None:

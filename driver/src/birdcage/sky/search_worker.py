@@ -32,20 +32,20 @@ class SearchWorker:
     def __init__(self, catalogue: Path, out: IO[bytes]) -> None:
         self._catalogue, self._out = catalogue, out
         self._watched: Watched | None = None
-        self._hunt: PassSearchJob | None = None
+        self._job: PassSearchJob | None = None
         self._number = 0
         self._now: datetime | None = None
 
     def run(self, messages: queue.SimpleQueue[Any]) -> None:
         """Work until stdin ends."""
         while True:
-            idle = self._hunt is None or self._hunt.idle
+            idle = self._job is None or self._job.idle
             with suppress(queue.Empty):
                 what, *values = messages.get(block=idle)
                 getattr(self, f"_{what}")(*values)
-            if self._hunt is not None and self._now is not None:
-                self._hunt.work(self._now)
-                send(self._out, (self._number, self._hunt.fresh(), self._hunt.progress, self._hunt.idle))
+            if self._job is not None and self._now is not None:
+                self._job.work(self._now)
+                send(self._out, (self._number, self._job.fresh(), self._job.progress, self._job.idle))
 
     def _begin(self, number: int, observer: Observer, limits: ReachLimits, start: datetime, now: datetime) -> None:
         try:
@@ -53,17 +53,17 @@ class SearchWorker:
         except StoreError:  # the watch reads it, too, and says so
             self._watched = self._watched or frozen_set()
         self._number, self._now = number, now
-        self._hunt = PassSearchJob(self._watched, observer, limits, start)
+        self._job = PassSearchJob(self._watched, observer, limits, start)
 
     def _limits(self, number: int, limits: ReachLimits) -> None:
         self._number = number
-        if self._hunt is not None:
-            self._hunt.set_limits(limits)
+        if self._job is not None:
+            self._job.set_limits(limits)
 
     def _now_is(self, now: datetime) -> None:
         self._now = now
-        if self._hunt is not None:
-            self._hunt.idle = False
+        if self._job is not None:
+            self._job.idle = False
 
 
 def _listen(pipe: IO[bytes], messages: queue.SimpleQueue[Any]) -> None:

@@ -77,9 +77,9 @@ class SkyWatch:
         self._view: tuple[datetime, float, float] | None = None
         self._watched: Watched | None = None
         self._fleet: Fleet | None = None
-        self._hunt: SearchJob | None = None
-        self._next_hunt: SearchJob | None = None
-        """One that replaces `_hunt` once it is done: the list keeps standing meanwhile."""
+        self._search: SearchJob | None = None
+        self._next_search: SearchJob | None = None
+        """One that replaces `_search` once it is done: the list keeps standing meanwhile."""
         self._seen: tuple[object, ...] = ()
         self._up: tuple[UpNow, ...] = ()
         self._look_at = self._publish_at = self._file_at = -math.inf
@@ -145,7 +145,7 @@ class SkyWatch:
                 raise
             self._failures += 1
             self._process.close()
-            self._hunt = self._next_hunt = None  # with the next step another one begins
+            self._search = self._next_search = None  # with the next step another one begins
             return self._clock.monotonic()
 
     def _step(self) -> float:
@@ -163,7 +163,7 @@ class SkyWatch:
             return monotonic
         if self._untold:
             self._tell(now, monotonic)
-        current = self._next_hunt or self._hunt
+        current = self._next_search or self._search
         if current is not None and not current.idle:  # another process searches: look what it has found
             return min(self._look_at, monotonic + PUBLISH_S)
         return self._look_at
@@ -192,12 +192,12 @@ class SkyWatch:
             reload = fingerprint(self._path) != self._seen
         moved = observer != self._observer
         if moved:
-            self._observer, self._hunt, self._next_hunt = observer, None, None
+            self._observer, self._search, self._next_search = observer, None, None
         if limits != self._limits:
             self._limits = limits
-            for hunt in (self._hunt, self._next_hunt):
-                if hunt is not None:
-                    hunt.set_limits(limits)
+            for search in (self._search, self._next_search):
+                if search is not None:
+                    search.set_limits(limits)
         if reload:
             self._load()
         if reload or moved or view != self._view:
@@ -221,17 +221,17 @@ class SkyWatch:
         """Begin a search where there is none, or the one that is there no longer covers the time looked at."""
         if self._observer is None or self._watched is None:
             return
-        latest = self._next_hunt or self._hunt
+        latest = self._next_search or self._search
         stale = latest is None or not latest.start <= now < latest.start + timedelta(hours=ROLL_HOURS)
         if not (anew or stale):
             return
-        hunt = self._begin_hunt(self._watched, self._observer, now)
-        if self._hunt is None or not self._hunt.start <= now < self._hunt.ends():
-            self._hunt, self._next_hunt = hunt, None
+        search = self._begin_search(self._watched, self._observer, now)
+        if self._search is None or not self._search.start <= now < self._search.ends():
+            self._search, self._next_search = search, None
         else:
-            self._next_hunt = hunt
+            self._next_search = search
 
-    def _begin_hunt(self, watched: Watched, observer: Observer, now: datetime) -> SearchJob:
+    def _begin_search(self, watched: Watched, observer: Observer, now: datetime) -> SearchJob:
         # Passes that are under way shall be found whole: none of a low orbit lasts longer than half an hour.
         start = now - timedelta(minutes=30)
         if self._process is not None:
@@ -241,13 +241,13 @@ class SkyWatch:
         return PassSearchJob(watched, observer, self._limits, start)
 
     def _work(self, now: datetime) -> bool:
-        if self._next_hunt is not None:
-            worked = self._next_hunt.work(now)
-            if self._next_hunt.idle:
-                self._hunt, self._next_hunt = self._next_hunt, None
+        if self._next_search is not None:
+            worked = self._next_search.work(now)
+            if self._next_search.idle:
+                self._search, self._next_search = self._next_search, None
                 return True
             return worked
-        return self._hunt is not None and self._hunt.work(now)
+        return self._search is not None and self._search.work(now)
 
     def _looks(self, now: datetime) -> tuple[UpNow, ...]:
         """Return everything above the horizon, highest first."""
@@ -281,14 +281,14 @@ class SkyWatch:
         if self._closing:
             return
         self._publish_at, self._untold = monotonic + PUBLISH_S, False
-        current = self._next_hunt or self._hunt
+        current = self._next_search or self._search
         self._publish(
             SkyNow(
                 utc=now,
                 live=self._view is None,
                 observer=self._observer,
                 up=self._up,
-                passes=() if self._hunt is None else self._hunt.rows(now),
+                passes=() if self._search is None else self._search.rows(now),
                 searching=None if current is None else current.progress,
                 satellites=0 if self._watched is None else len(self._watched.elements),
                 note="" if self._watched is None else self._watched.note,

@@ -31,7 +31,7 @@ class Pursuer:
     """Where a pursuit stands. One use each: `run` is the activity."""
 
     def __init__(self, context: PursuitContext, now_s: float) -> None:
-        self._voyage = context
+        self._context = context
         self._begun_s = self._now_s = now_s
         self._done_s = float("-inf")
         """The end of the last leg that is over."""
@@ -40,7 +40,7 @@ class Pursuer:
 
     def run(self) -> Activity:
         """Carry it out."""
-        context, rolling = self._voyage, False
+        context, rolling = self._context, False
         while (leg := context.leg_after(max(self._now_s, self._done_s))) is not None:
             if not rolling:
                 if (yield from self._may_leave(leg)):
@@ -56,8 +56,8 @@ class Pursuer:
 
     def _may_leave(self, leg: PlanLeg) -> Generator[Step, StepResult, bool]:
         """Wait for the time to leave; return whether it has come, and was counted down to unless just asked for."""
-        leave_s = self._voyage.leave_s(leg)
-        asked = self._voyage.asked and max(leave_s, self._now_s) - self._begun_s <= JUST_ASKED_S
+        leave_s = self._context.leave_s(leg)
+        asked = self._context.asked and max(leave_s, self._now_s) - self._begun_s <= JUST_ASKED_S
         begin_s = leave_s if asked else leave_s - COUNTDOWN_S
         if self._now_s < begin_s:
             self._tell(PursuitStage.WAITING, f"The dish moves at {clock_text(leave_s)}.", "pre-position", leave_s)
@@ -81,12 +81,12 @@ class Pursuer:
             "follow",
             leg.end_s,
         )
-        yield from self._slew((leg.to_az_deg, self._voyage.course().at(leg.end_s)[1]), leg)
+        yield from self._slew((leg.to_az_deg, self._context.course().at(leg.end_s)[1]), leg)
         self._done_s = leg.end_s
 
     def _be_ready(self, leg: PlanLeg) -> Activity:
         """Be where the leg begins, and wait for it."""
-        start = self._voyage.course().at(leg.start_s)
+        start = self._context.course().at(leg.start_s)
         if not self._is_at(start, IN_PLACE_DEG):
             self._tell(
                 PursuitStage.PREPOSITIONING, "Moving to where the target comes into reach.", "reach", leg.start_s
@@ -99,15 +99,15 @@ class Pursuer:
             "reach",
             leg.start_s,
         )
-        yield from self._wait(leg.start_s - self._voyage.lead_s)
+        yield from self._wait(leg.start_s - self._context.lead_s)
 
     def _lead_s(self, leg: PlanLeg) -> float:
         """Return how long before a leg begins the controller takes over: longer from where the dish is in place."""
-        in_place = self._is_at(self._voyage.course().at(leg.start_s), IN_PLACE_DEG)
-        return self._voyage.lead_s if in_place else LEAD_S
+        in_place = self._is_at(self._context.course().at(leg.start_s), IN_PLACE_DEG)
+        return self._context.lead_s if in_place else LEAD_S
 
     def _follow(self, leg: PlanLeg) -> Activity:
-        context = self._voyage
+        context = self._context
         if not self._is_at(context.course().at(max(self._now_s, leg.start_s)), JOIN_DEG):
             self._tell(PursuitStage.PREPOSITIONING, "Moving to the target.", "follow", None)
             yield from self._join(leg)
@@ -135,7 +135,7 @@ class Pursuer:
         context.latency_s, self._done_s = guide.latency_s, max(guide.until_s, self._now_s)
 
     def _on_target(self, leg: PlanLeg) -> str:
-        plan = self._voyage.plan
+        plan = self._context.plan
         if leg is not plan.legs[-1] or not plan.goes_on:
             return f"On the target until {clock_text(leg.end_s)}."
         if plan.reach_end_s is not None:
@@ -144,7 +144,7 @@ class Pursuer:
 
     def _steer(self, guide: ControllerInput) -> Activity:
         """Hand the controller's steps on, and note where they send the dish."""
-        controller = self._voyage.controller(guide)
+        controller = self._context.controller(guide)
         elevation = guide.model.elevation.index
         try:
             step, hear_s, seen = next(controller), guide.now_s + HEAR_EVERY_S, False
@@ -173,8 +173,8 @@ class Pursuer:
         if here is None:
             return
         self._tell(PursuitStage.PARKING, "Moving to the park position.", "", None)
-        az_deg = ways.nearest_turn(here[0], place[0], self._voyage.cable)
-        known = self._voyage.cable is not None
+        az_deg = ways.nearest_turn(here[0], place[0], self._context.cable)
+        known = self._context.cable is not None
         yield SlewTo(self._way(here, (az_deg, place[1]), turn_known=known).stops)
 
     def _join(self, leg: PlanLeg) -> Activity:
@@ -182,7 +182,7 @@ class Pursuer:
         here = yield from self._here()
         if here is None:
             return
-        course, known = self._voyage.course(), leg.turn is not None
+        course, known = self._context.course(), leg.turn is not None
         to = course.at(self._now_s)
         for _ in range(2):
             to = course.at(min(self._now_s + self._way(here, to, turn_known=known).seconds, leg.end_s))
@@ -196,7 +196,7 @@ class Pursuer:
         self._place = to
 
     def _way(self, here: Point, to: Point, *, turn_known: bool) -> ways.WaypointRoute:
-        return ways.way(self._voyage.bounds(), self._voyage.model(), here, to, turn_known=turn_known)
+        return ways.way(self._context.bounds(), self._context.model(), here, to, turn_known=turn_known)
 
     def _here(self) -> Generator[Step, StepResult, Point | None]:
         seen = yield ReadPosition()
@@ -214,7 +214,7 @@ class Pursuer:
         self._now_s = (yield Wait(until_s)).now_s
 
     def _tell(self, stage: PursuitStage, why: str, what: str, at_s: float | None) -> None:
-        self._voyage.tell(StageNotice(stage, why, what, at_s))
+        self._context.tell(StageNotice(stage, why, what, at_s))
 
 
 def pursue(context: PursuitContext, now_s: float) -> Activity:

@@ -38,7 +38,7 @@ SAMPLES = 72
 """Of a path: closer than a dot of the largest picture, and half of them about the top, where azimuth sweeps."""
 AHEAD = timedelta(hours=24)
 MOST_OTHERS = 1000
-"""With so many passes of satellites that are no favourites the watch lists no later ones (`sky.watch_hunt`)."""
+"""With so many passes of satellites that are no favourites the watch lists no later ones (`sky.pass_search_job`)."""
 GEO_KM, STILL_KM_S = 34_000.0, 0.02
 """From so far, and as slow as that, a satellite stands still in the sky."""
 DEMO = "DEMO "

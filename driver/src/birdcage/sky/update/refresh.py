@@ -20,7 +20,7 @@ from birdcage.sky.catalogue.words import at, span
 from birdcage.sky.formats import Complaint
 from birdcage.sky.update.errors import FetchError
 from birdcage.sky.update.fetch import DEADLINE_S, HttpReply, check_url, fetch
-from birdcage.sky.update.no import LONGEST_PAUSE, pause_of
+from birdcage.sky.update.server_pause import LONGEST_PAUSE, pause_of
 from birdcage.sky.update.sources import Source
 from birdcage.sky.update.take import take
 
