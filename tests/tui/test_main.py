@@ -47,18 +47,16 @@ def test_wrong_use_is_refused_with_a_sentence(words, capsys):
 class Ended:
     """An app that ends at once, in one way or another."""
 
-    return_code, anew, fault, crash = 0, False, None, None
+    return_code, fault, crash = 0, None, None
     track = SimpleNamespace(wait=lambda _timeout_s: None)
 
     def __init__(self, session, _settings):
         self.session = session
+        self.ending = SimpleNamespace(anew=False, by_signal=lambda _number: None)
 
     def run(self):
         if self.crash is not None:
             raise self.crash
-
-    def end_by_signal(self, number):
-        pass
 
 
 @pytest.fixture
@@ -236,7 +234,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     class App(Ended):
         def __init__(self, session, settings):
             super().__init__(session, settings)
-            self.anew = len(built) == 1
+            self.ending.anew = len(built) == 1
             pages.append(settings.first_page)
 
     def build(options, paths):
