@@ -180,7 +180,8 @@ def test_what_it_tells_and_what_it_has_not():
     rig = Rig()
     survey = rig.dish.survey()
     assert survey.settings == {"nvs.125": "15.00", "nvs.127": "15.00"}
-    assert (survey.el_min_deg, survey.identity, survey.version) == (15.0, {}, None)
+    assert (survey.el_min_deg, survey.identity) == (15.0, {})
+    assert survey.features == {"floor": 15.0, "floor.search": 15.0}
     assert any("127)" in line for line in rig.dish.settings_table())
     for lacking in (
         rig.dish.restore_search, rig.dish.get_rssi, rig.dish.engage_motors, rig.dish.release_motors,

@@ -99,6 +99,18 @@ def test_what_a_face_has_just_read_is_not_asked_for_again(bench):
     assert bench.state.readings["lnb_supply"].at > first.at
 
 
+def test_what_a_survey_has_told_is_a_reading_of_its_features_and_not_asked_for_again(bench):
+    told = bench.state.readings
+    assert (told["version"].value, told["antenna_id"].value) == (bench.state.firmware_version, "12-IN G2")
+    assert (told["floor"].value, told["ceiling"].unit, told["tv_search"].value) == (18.0, "deg", False)
+    start = bench.clock.monotonic()
+    bench.station.submit(Watch("slow", frozenset({"version", "floor"}), 1.0 / 60.0))
+    bench.step(30.0)
+    assert {line for _at, line in received_since(bench, start)} == {"a"}
+    bench.step(30.0)
+    assert bench.state.readings["version"].at > start
+
+
 def test_what_the_machine_lacks_is_not_read(bench):
     start = bench.clock.monotonic()
     bench.watch("position", "temperature", "end_tv_search")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from birdcage.rotator.feature import Value
+
 MOTOR_AZIMUTH = 0
 MOTOR_ELEVATION = 1
 MOTOR_SKEW = 2
@@ -54,13 +56,11 @@ class Survey:
 
     identity: Mapping[str, str] = field(default_factory=dict)
     """Field name to text, as printed."""
-    version: str | None = None
-    """Firmware version."""
+    features: Mapping[str, Value] = field(default_factory=dict)
+    """What the same answers told of the machine's features, by id: its version, its speeds, its limits, …"""
     settings: Mapping[str, str] = field(default_factory=dict)
     """Settings in force, by name (`nvs.20`), as printed."""
     el_min_deg: float | None = None
     el_max_deg: float | None = None
-    speeds: Mapping[str, float] = field(default_factory=dict)
-    """The greatest speed in force of each axis, by its name, in deg/s."""
     search_disabled: bool | None = None
     """Whether the firmware's own TV search is switched off for good."""

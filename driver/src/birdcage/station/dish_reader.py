@@ -18,7 +18,7 @@ from birdcage.base.no_go import NoGoSector
 from birdcage.base.reason import Reason
 from birdcage.rotator import values
 from birdcage.rotator.facts import CableTurn, Facts, SearchSwitch
-from birdcage.rotator.feature import RSSI, Reading, speed_of
+from birdcage.rotator.feature import RSSI, VERSION, Reading, speed_of
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import laid_by_owner
 from birdcage.rotator.values import Survey
@@ -213,8 +213,14 @@ class DishReader:
         self._store.forget_readings()
         for name, text in (*survey.settings.items(), *survey.identity.items()):
             self._store.read(name, text)
-        self.note_speeds(self._antenna.rotator.by_number(survey.speeds))
-        self._store.change(firmware_version=survey.version)
+        features = self._antenna.rotator.features
+        for name in sorted(survey.features.keys() & features.keys()):
+            self._store.read(name, survey.features[name], features[name].unit)
+        axes, told = self._antenna.rotator.facts.axes, survey.features
+        speeds = {axis.index: told[speed_of(axis.name)] for axis in axes if speed_of(axis.name) in told}
+        self._antenna.use_speeds({motor: float(speed) for motor, speed in speeds.items()})
+        version = survey.features.get(VERSION)
+        self._store.change(firmware_version=None if version is None else str(version))
         if self._antenna.rotator.facts.search_switch is SearchSwitch.FOR_GOOD:
             self._store.change(search=TvSearch.OFF if survey.search_disabled else TvSearch.UNKNOWN)
         elif self._antenna.rotator.facts.search_switch is SearchSwitch.NEVER_SEARCHES:

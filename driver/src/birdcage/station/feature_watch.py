@@ -66,7 +66,9 @@ class FeatureWatch:
         if name in self._told and name not in self._store.state.readings:
             self._told.discard(name)  # the dish may be another one
             self._watches.forget(name)
-        return max(self._watches.due(name, period_s), self._reader.not_before(name))
+        last = self._store.state.readings.get(name)  # a survey, or a person, may have asked for it
+        told_at = -math.inf if last is None or name == RSSI else last.at
+        return max(self._watches.due(name, period_s), told_at + period_s, self._reader.not_before(name))
 
     def tick(self) -> None:
         """Read what is due now."""

@@ -14,15 +14,18 @@ if TYPE_CHECKING:
     from birdcage.protocol.carryout.protocol import CarryoutProtocol
 
 
+CEILING = "ceiling"
+
+
 def _ceiling(dish: CarryoutProtocol) -> dict[str, Value]:
     ceiling_deg = dish.read_ceiling()
-    return {} if ceiling_deg is None else {"ceiling": ceiling_deg}
+    return {} if ceiling_deg is None else {CEILING: ceiling_deg}
 
 
 FEATURES = FeatureTable(
     FeatureRow(
         Feature(
-            "ceiling", f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", FeatureKind.NUMBER,
+            CEILING, f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", FeatureKind.NUMBER,
             Range(EL_SPAN_DEG[0], HIGHEST_EL_DEG), cost=Cost(1, NVS),
         ),
         _ceiling,

@@ -13,7 +13,7 @@ from birdcage.console.raw import Typed
 from birdcage.console.session import SessionHooks
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import DIALECT, NVS, TARGET
-from birdcage.protocol.carryout.features import FEATURES
+from birdcage.protocol.carryout.features import CEILING, FEATURES
 from birdcage.protocol.carryout.going import EL_MAX_ROW, GotoAnswer, ceiling_of, go_line, judge_go
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.model import CARRYOUT_2003
@@ -143,7 +143,8 @@ class CarryoutProtocol(FirmwareProtocol):
                 raise
             return Survey()
         told = {} if ceiling_deg is None else {row_id(EL_MAX_ROW): f"{ceiling_deg:g}"}
-        return Survey(settings=told, el_max_deg=ceiling_deg)
+        features = {} if ceiling_deg is None else {CEILING: ceiling_deg}
+        return Survey(settings=told, features=features, el_max_deg=ceiling_deg)
 
     def read_ceiling(self) -> float | None:
         """Read the greatest elevation that it takes (`nvs`, `e 102`), in degrees; None when none is to be seen."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
 from birdcage.protocol.motors import AZIMUTH, ELEVATION, MOTORS, by_name
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, row_label
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
     RSSI,
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 
 RSSI_READS = 10
+FLOOR, CEILING = "floor", "ceiling"
 OK, FAULT = "OK", "FAULT"
 """As the dish prints what the fault pins of its motor drivers say."""
 _IDENTITY = {VERSION: "Software", "antenna_id": "Antenna ID", "system_id": "System ID"}
@@ -41,27 +42,40 @@ _SEARCH_HAZARD = (
 )
 
 
-def _identity(dish: CarryoutG2Protocol) -> dict[str, Value]:
-    fields = dish.system.fields()
+def identity_of(fields: Mapping[str, str]) -> dict[str, Value]:
+    """Return the features that `id` tells, by its fields."""
     return {name: fields[field] for name, field in _IDENTITY.items() if field in fields}
+
+
+def _identity(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    return identity_of(dish.system.fields())
+
+
+def angle_of(row: NvsRow) -> float:
+    """Return the angle in force that a setting holds, in degrees. NoReply (`garbage`) where it is no number."""
+    try:
+        value = float(row.current)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise NoReply(
+            f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason=Reason.GARBAGE
+        )
+    return value
 
 
 def _angle(name: str, label: str, index: int) -> FeatureRow:
     """Return the row of an elevation that a setting holds."""
 
     def read(dish: CarryoutG2Protocol) -> dict[str, Value]:
-        row = dish.read_nvs(index)
-        if isinstance(row.value, str | bool):
-            raise NoReply(
-                f"The dish showed {row.current!r} in NVS row {index}, which is no angle.", reason=Reason.GARBAGE
-            )
-        return {name: float(row.value)}
+        return {name: angle_of(dish.read_nvs(index))}
 
     label = f"{label} ({row_label(index)})"
     return FeatureRow(Feature(name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, "nvs")), read)
 
 
-def _named(speeds: Mapping[int, float]) -> dict[str, Value]:
+def speeds_of(speeds: Mapping[int, float]) -> dict[str, Value]:
+    """Return the greatest speeds as features, from those by motor."""
     return {speed_of(axis): speed for axis, speed in by_name(speeds).items()}
 
 
@@ -72,11 +86,11 @@ def _speed(axis: Axis) -> FeatureRow:
         Range(axis.step_deg, axis.speed_deg_s), Writer.UNTIL_RESTART, cost=Cost(2, "step"),
     )  # fmt: skip
     motor = MOTORS[axis.name]
-    return FeatureRow(feature, _speeds, lambda dish, value: _named(dish.set_speed(motor, float(value))))
+    return FeatureRow(feature, _speeds, lambda dish, value: speeds_of(dish.set_speed(motor, float(value))))
 
 
 def _speeds(dish: CarryoutG2Protocol) -> dict[str, Value]:
-    return _named(dish.read_speeds())
+    return speeds_of(dish.read_speeds())
 
 
 def _driver(axis: Axis) -> FeatureRow:
@@ -99,12 +113,17 @@ def _drivers(dish: CarryoutG2Protocol) -> dict[str, Value]:
     return {driver_of(axis): FAULT if fault else OK for axis, fault in by_axis.items()}
 
 
+def tv_search_of(row: NvsRow) -> dict[str, Value]:
+    """Return whether it searches from the next power-up on, by what is saved in the row."""
+    return {TV_SEARCH: row.saved != "TRUE"}
+
+
 def _tv_search(dish: CarryoutG2Protocol) -> dict[str, Value]:
-    return {TV_SEARCH: dish.read_nvs(DISABLE_TRACKER).saved != "TRUE"}
+    return tv_search_of(dish.read_nvs(DISABLE_TRACKER))
 
 
 def _set_tv_search(dish: CarryoutG2Protocol, on: Value) -> dict[str, Value]:
-    return {TV_SEARCH: dish.save_search(disabled=not on).saved != "TRUE"}
+    return tv_search_of(dish.save_search(disabled=not on))
 
 
 def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
@@ -132,8 +151,8 @@ def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
         FeatureRow(Feature(VERSION, "Firmware version", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
         FeatureRow(Feature("antenna_id", "Antenna ID", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
         FeatureRow(Feature("system_id", "System ID", "", FeatureKind.TEXT, cost=Cost(1, "os")), _identity),
-        _angle("floor", "Lowest elevation", MIN_ELEVATION),
-        _angle("ceiling", "Highest elevation", MAX_ELEVATION),
+        _angle(FLOOR, "Lowest elevation", MIN_ELEVATION),
+        _angle(CEILING, "Highest elevation", MAX_ELEVATION),
         FeatureRow(
             Feature(
                 TV_SEARCH, "TV search at power-up", "", FeatureKind.SWITCH, None, Writer.FROM_POWER_UP, _SEARCH_HAZARD,

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import math
-
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
+from birdcage.protocol.g2.features import CEILING, FLOOR, angle_of, identity_of, speeds_of, tv_search_of
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System
-from birdcage.protocol.motors import by_name
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, row_id
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id
 from birdcage.rotator.values import Survey
 
 
@@ -28,28 +26,16 @@ def survey(system: System, nvs: SettingsMemory, stepper: Stepper) -> Survey:
     except CommandRefused:
         speeds = {}  # a G2 with another stepper menu: the model's speeds hold
     identity = system.fields()
-    limits = [_degrees(rows.get(index)) for index in (MIN_ELEVATION, MAX_ELEVATION)]
+    limits = [angle_of(rows[index]) if index in rows else None for index in (MIN_ELEVATION, MAX_ELEVATION)]
+    features = {**identity_of(identity), **speeds_of(speeds)}
+    features |= {name: limit for name, limit in zip((FLOOR, CEILING), limits, strict=True) if limit is not None}
+    if DISABLE_TRACKER in rows:
+        features |= tv_search_of(rows[DISABLE_TRACKER])
     return Survey(
         identity=identity,
-        version=identity.get("Software"),
+        features=features,
         settings={row_id(index): row.current for index, row in rows.items()},
         el_min_deg=limits[0],
         el_max_deg=limits[1],
-        speeds=by_name(speeds),
         search_disabled=rows[DISABLE_TRACKER].current == "TRUE" if DISABLE_TRACKER in rows else None,
     )
-
-
-def _degrees(row: NvsRow | None) -> float | None:
-    """Return the angle in force of a setting; None when there is no such row. NoReply when it is not a number."""
-    if row is None:
-        return None
-    try:
-        value = float(row.current)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise NoReply(
-            f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason=Reason.GARBAGE
-        )
-    return value

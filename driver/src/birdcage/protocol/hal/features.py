@@ -19,6 +19,10 @@ SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
 (`docs/reference/travler.md`, *Elevation*)."""
 
 
+LOWEST = {"floor": SAFE_MINIMUM, "floor.search": SEARCH_MINIMUM}
+"""The features that those rows hold."""
+
+
 def _angle(name: str, index: int) -> Callable[[HAL205Protocol], dict[str, Value]]:
     def read(dish: HAL205Protocol) -> dict[str, Value]:
         text = dish.read_nvs(index)
@@ -27,7 +31,8 @@ def _angle(name: str, index: int) -> Callable[[HAL205Protocol], dict[str, Value]
     return read
 
 
-def _lowest(name: str, what: str, index: int) -> FeatureRow:
+def _lowest(name: str, what: str) -> FeatureRow:
+    index = LOWEST[name]
     label = f"Lowest elevation{what} ({row_label(index)})"
     return FeatureRow(
         Feature(name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS)), _angle(name, index)
@@ -35,8 +40,8 @@ def _lowest(name: str, what: str, index: int) -> FeatureRow:
 
 
 FEATURES = FeatureTable(
-    _lowest("floor", "", SAFE_MINIMUM),
-    _lowest("floor.search", " of its TV search", SEARCH_MINIMUM),
+    _lowest("floor", ""),
+    _lowest("floor.search", " of its TV search"),
     end_tv_search(lines=1, menu=SEARCH),
     FeatureRow(
         Feature(SETTINGS, "All settings (NVS)", "", FeatureKind.LINES, cost=Cost(1, NVS)),

@@ -16,7 +16,7 @@ from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
 from birdcage.protocol.hal.commands import COMMANDS
 from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
-from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.features import FEATURES, LOWEST, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.hal.hazards import HAZARDS
 from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
 from birdcage.protocol.hazard import HazardTable
@@ -163,6 +163,7 @@ class HAL205Protocol(FirmwareProtocol):
         usable = lowest is not None and TRAVLER.elevation.max_deg > float(lowest) > -90.0
         return Survey(
             settings={row_id(index): value for index, value in rows.items() if value is not None},
+            features={name: float(text) for name, index in LOWEST.items() if (text := rows[index]) is not None},
             el_min_deg=float(lowest) if lowest is not None and usable else None,
         )
 
