@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from pathlib import Path
 
-from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
+from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied, MotionRefused
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
-from birdcage.station.motor_power import MotorPower
 from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Set
@@ -18,9 +18,9 @@ from birdcage.station.search_control import SearchControl
 class FeatureHandler:
     """Errors are raised, and become the future's."""
 
-    def __init__(self, parts: Parts, motors: MotorPower, search: SearchControl) -> None:
+    def __init__(self, parts: Parts) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
-        self._reader, self._motors, self._search = parts.reader, motors, search
+        self._reader, self._search = parts.reader, SearchControl(parts)
 
     def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
         """Ask the machine for some features, and tell all; what it did not tell is left out.
@@ -54,7 +54,7 @@ class FeatureHandler:
             raise ConfirmationNeeded(f"{feature.hazard} Nothing was sent.")
         axes = {speed_of(axis.name): axis for axis in self._antenna.rotator.facts.axes}
         if feature.id in axes:
-            self._motors.set_speed(axes[feature.id].index, float(value), request.holder)
+            self.set_speed(axes[feature.id].index, float(value), request.holder)
         elif feature.id in (TV_SEARCH, END_TV_SEARCH):
             disabled = feature.id == END_TV_SEARCH or not value
             self._search.refuse(disabled=disabled)
@@ -65,6 +65,27 @@ class FeatureHandler:
         else:
             return self._write(feature, value, request.holder)
         return self._store.state.readings[feature.id]
+
+    def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
+        """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
+        rotator = self._antenna.rotator
+        self._control.may_take(holder)
+        if not rotator.facts.has_speeds:
+            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason=Reason.UNSUPPORTED)
+        if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
+            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason=Reason.UNSUPPORTED)
+        self._parts.free_wire()
+        refuse_while_moving(self._store, self._antenna, "No speed is set")
+        speed_deg_s = self._reader.set_speed(motor, speed_deg_s)
+        rotator.make_ready()
+        return speed_deg_s
+
+    def set_search(self, holder: str, *, disabled: bool) -> Path | None:
+        """Switch the firmware's own TV search as `SetSearch` asks, and take control; return the path of the backup."""
+        self._search.refuse(disabled=disabled)
+        self._control.admit(holder)
+        self._parts.free_wire()
+        return self._search.set(disabled=disabled)
 
     def _feature(self, name: str, *, readable: bool) -> Feature:
         feature = self._antenna.rotator.features.get(name)

@@ -1,10 +1,10 @@
-"""Serves what a person does to the motors by hand: their current, their speed, and the firmware's own stow."""
+"""Serves what a person does to the motors by hand: their current, and the firmware's own stow."""
 
 from __future__ import annotations
 
 from concurrent.futures import Future
 
-from birdcage.base.errors import CommandRefused, LeaseDenied, MotionRefused, PositionUnknown, Stopped
+from birdcage.base.errors import MotionRefused, PositionUnknown, Stopped
 from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station.applying import refuse_while_moving
@@ -15,7 +15,7 @@ from birdcage.station.state import Activity
 
 
 class MotorPower:
-    """Errors are raised, and become the future's. `wire_free` raises LinkError unless the dish answers."""
+    """Errors are raised, and become the future's."""
 
     def __init__(self, parts: Parts) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
@@ -90,18 +90,3 @@ class MotorPower:
         if self._control.latched:
             raise Stopped("STOP came while the dish stowed.")
         self._mover.await_rest(Job(0.0, 0.0, holder, future))
-
-    def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
-        """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""
-        state, rotator = self._store.state, self._antenna.rotator
-        if state.holder not in (None, holder):
-            raise LeaseDenied(f"{state.holder} has control. Take control, or wait until it is free.")
-        if not rotator.facts.has_speeds:
-            raise CommandRefused(f"The {rotator.facts.name} has no command for its speed.", reason=Reason.UNSUPPORTED)
-        if motor not in (rotator.facts.azimuth.index, rotator.facts.elevation.index):
-            raise MotionRefused(f"This dish has no motor {motor}. Nothing was sent.", reason=Reason.UNSUPPORTED)
-        self._parts.free_wire()
-        refuse_while_moving(self._store, self._antenna, "No speed is set")
-        speed_deg_s = self._reader.set_speed(motor, speed_deg_s)
-        rotator.make_ready()
-        return speed_deg_s

@@ -19,7 +19,6 @@ from birdcage.station.pursuit_runner import PursuitRunner
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
-from birdcage.station.search_control import SearchControl
 from birdcage.station.state import Activity
 
 
@@ -37,8 +36,7 @@ class RequestHandler:
             parts.watches,
         )
         self._rewire, self._raw_console, self._applying, self._pursuits = rewire, raw_console, applying, pursuits
-        self._motors, self._search = MotorPower(parts), SearchControl(parts)
-        self._features = FeatureHandler(parts, self._motors, self._search)
+        self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
         """Serve one request; its future is resolved now, or at arrival for a motion.
@@ -70,7 +68,7 @@ class RequestHandler:
                 return
             case ask.SetSpeed(axis, speed_deg_s, holder):
                 self._make_way(holder)
-                future.set_result(self._motors.set_speed(axis, speed_deg_s, holder))
+                future.set_result(self._features.set_speed(axis, speed_deg_s, holder))
                 return
             case ask.Read(features):
                 future.set_result(self._features.read(features))
@@ -94,9 +92,7 @@ class RequestHandler:
                 self._raw_console.line.make_way()
                 self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
-                self._search.refuse(disabled=disabled)
-                self._ready(holder)
-                future.set_result(self._search.set(disabled=disabled))
+                future.set_result(self._features.set_search(holder, disabled=disabled))
                 return
             case ask.Stop(by):
                 self._stopper.call(by)
