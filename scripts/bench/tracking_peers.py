@@ -11,7 +11,7 @@ from collections.abc import Callable
 from birdcage.base.geometry import wrap_360
 from birdcage.leapfrog import apply_leapfrog
 from birdcage.tracking.controller_input import Controller, ControllerInput
-from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
+from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 TICK_S = 1.0
 
@@ -26,7 +26,7 @@ def _seen_from(helm: ControllerInput, t_s: float) -> tuple[float, float]:
     return wrap_360(az), el
 
 
-def _both(helm: ControllerInput, az_deg: float, el_deg: float, *, az_first: bool) -> Activity:
+def _both(helm: ControllerInput, az_deg: float, el_deg: float, *, az_first: bool) -> Steps:
     order = [(helm.model.azimuth.index, wrap_360(az_deg)), (helm.model.elevation.index, _clamped(helm, el_deg))]
     for index, deg in order if az_first else reversed(order):
         yield Send(index, deg)
@@ -35,7 +35,7 @@ def _both(helm: ControllerInput, az_deg: float, el_deg: float, *, az_first: bool
 def move_to_now(tolerance_deg: float, *, leapfrog: bool) -> Controller:
     """Once a second: where is it, is the dish off by more than the tolerance, then go there."""
 
-    def follow(helm: ControllerInput) -> Activity:
+    def follow(helm: ControllerInput) -> Steps:
         now_s, az_first = helm.now_s, True
         while now_s < helm.until_s:
             seen = yield ReadPosition()
@@ -72,7 +72,7 @@ def gpredict(tolerance_deg: float, *, leapfrog: bool) -> Controller:
             step_s /= 2.0
         return found[0], _clamped(helm, found[1])
 
-    def follow(helm: ControllerInput) -> Activity:
+    def follow(helm: ControllerInput) -> Steps:
         now_s, az_first = helm.now_s, True
         rot = wrap_360(helm.start_az_deg), helm.start_el_deg
         target: tuple[float, float] | None = None

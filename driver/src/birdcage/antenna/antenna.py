@@ -176,6 +176,10 @@ class BirdcageAntenna:
         self._honour_held(port)
         self.rotator.open(port, baud, clock, Hooks(dial=dial, permit=self.check_permit))
 
+    def be_permitted_by(self, permit: Callable[[], None]) -> None:
+        """Let `permit` say from now on whether anything may move, by raising what keeps it back: HELD, too."""
+        self.permit, self._latch = permit, None
+
     def check_permit(self) -> None:
         """Raise what keeps the dish from being moved now."""
         if self.permit is not None:

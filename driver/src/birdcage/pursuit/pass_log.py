@@ -14,8 +14,7 @@ from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLook
 from birdcage.pursuit.pass_log_work import PassLogWork
 from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
 from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
-from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit
-from birdcage.station.pursuit_words import DONE
+from birdcage.station.pursuit_state import DONE, Phase, PointingSample, Pursuit
 
 if TYPE_CHECKING:
     from birdcage.sky.elements import ElementSet

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from birdcage.antenna.gate import UNTOLD
 from birdcage.antenna.reckoning import FRESH_S, apart_deg
 from birdcage.antenna.rest import APART_S, STILL_DEG
@@ -62,15 +60,15 @@ class DishMonitor:
         parts.signals.forgotten.connect(self._forgotten)
         parts.signals.speed_stuck.connect(self._speed_stuck)
 
-    def due(self) -> float | None:
-        """Return when there is something to look at; while the dish moves, only what may be read all the same."""
+    def due(self, now: float) -> float | None:
+        """Return when there is something to look at, `now` for at once; in motion, what may be read all the same."""
         if self.paused:
             return None
         features = self._features.due()
         if self._store.state.activity not in RESTING:
             return features
         if self._reader.wants_survey and not self._unsettled:
-            return -math.inf
+            return now
         if self._watches.excursion is not None:
             return features  # in another menu until the reads are done: the position waits
         times = (self._look_again_at, self._position_due(), features)

@@ -9,6 +9,7 @@ from enum import Enum
 from birdcage.rotator.feature import Value
 from birdcage.station.pursuit_state import PointingSample, Pursuit
 from birdcage.station.state import Activity, Fault, HeldState, LinkState, Motion, Pointing, StopReport
+from birdcage.station.task_state import TaskState
 
 
 class End(Enum):
@@ -142,6 +143,13 @@ class PursuitChanged(Event):
     """A pursuit began, is in another phase, or has another plan."""
 
     pursuit: Pursuit
+
+
+@dataclass(frozen=True, slots=True)
+class TaskChanged(Event):
+    """A task began, is in another phase, is further on, or is over."""
+
+    task: TaskState
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.base.errors import LinkError
+from birdcage.base.errors import LinkError, Stopped
 from birdcage.base.reason import Reason
 from birdcage.station.control import Control
 from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
+from birdcage.station.events import End
 from birdcage.station.settings import StationSettings
 from birdcage.station.signals import Signals
 from birdcage.station.state import LinkPhase
@@ -37,6 +38,16 @@ class Parts:
         link = self.store.state.link
         if link.state is not LinkPhase.UP:
             raise LinkError(f"No link to the dish, so {so} ({link.detail}).", reason=Reason(link.state.value))
+
+    def come_to_rest(self, why: str) -> None:
+        """Stop what moves, as far as it can be stopped, and hold nothing. Not while HELD: STOP sees to it."""
+        if self.control.latched or self.store.state.link.state is not LinkPhase.UP:
+            return
+        strategy, clock = self.antenna.strategy, self.store.clock
+        if not strategy.ends_soon(clock):
+            self.mover.fail(End.STOPPED, why, Stopped(why))
+            strategy.end_motion(clock)
+        self.mover.await_stream_end()
 
     def free_wire(self) -> None:
         """Have the console in the motor menu for what comes next. LinkError unless the dish answers."""

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Literal, TypedDict
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
+DONE = "The pass is over."
+"""Why a pursuit is over that was followed to its end."""
 AtEnd = Literal["park", "stay", "next"]
 """What happens after the last leg. `next`: stay, whoever plans will ask for the next pass. Never stow."""
 

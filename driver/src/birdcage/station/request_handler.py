@@ -7,7 +7,6 @@ from concurrent.futures import Future
 
 from birdcage.base.errors import BirdcageError, MotionRefused, Stopped
 from birdcage.base.reason import Reason
-from birdcage.rotator.ladder import MoveKind
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
 from birdcage.station.events import End, FaultAcknowledged
@@ -15,18 +14,20 @@ from birdcage.station.features import FeatureHandler
 from birdcage.station.motor_power import MotorPower
 from birdcage.station.mover import Job
 from birdcage.station.parts import Parts
-from birdcage.station.pursuit_runner import PursuitRunner
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
-from birdcage.station.state import Activity
+from birdcage.station.tasks.drive import DriveTask
+from birdcage.station.tasks.homing import HomingTask
+from birdcage.station.tasks.host import TaskHost
+from birdcage.station.tasks.pursuit import Pursuits
 
 
 class RequestHandler:
     """Knows who serves what. Errors are raised, and become the future's."""
 
     def __init__(
-        self, parts: Parts, rewire: Rewire, raw_console: RawConsole, applying: Applying, pursuits: PursuitRunner
+        self, parts: Parts, rewire: Rewire, raw_console: RawConsole, applying: Applying, host: TaskHost
     ) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
         self._mover, self._stopper, self._reader, self._watches = (
@@ -35,7 +36,8 @@ class RequestHandler:
             parts.reader,
             parts.watches,
         )
-        self._rewire, self._raw_console, self._applying, self._pursuits = rewire, raw_console, applying, pursuits
+        self._rewire, self._raw_console, self._applying, self._host = rewire, raw_console, applying, host
+        self._pursuits = Pursuits(parts, host)
         self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
@@ -55,12 +57,25 @@ class RequestHandler:
             case ask.TurnSkew():
                 self._turn_skew(request, future)
                 return
+            case ask.Drive():
+                self._drive(request)
+            case ask.EndMotion(holder):
+                self._end_motion(holder)
+            case ask.BeginTask(kind, values, holder, asked):
+                future.set_result(self._host.begin_kind(kind, values, holder, asked=asked).state.number)
+                return
+            case ask.ResumeTask():
+                future.set_result(self._host.resume().state.number)
+                return
+            case ask.DropTask():
+                self._host.drop_kept()
             case ask.Home():
-                self._home(request)
+                self._home(request, future)
+                return
             case ask.ReleaseMotors(holder):
                 self._make_way(holder)
                 self._motors.release(holder, stops_seen)
-                self._pursuits.by_hand(holder)
+                self._host.by_hand(holder)
             case ask.Engage(holder):
                 self._motors.engage(holder)
             case ask.Stow(holder):
@@ -140,10 +155,10 @@ class RequestHandler:
         previous = self._take_for(request, lambda: self._judge(az_deg, el_deg, clamp=clamp))
         miss_deg = self._antenna.miss_deg(az_deg, el_deg)
         job = Job(az_deg, el_deg, request.holder, future, follow=follow, miss_deg=miss_deg)
-        self._pursuits.make_way(request.holder)
+        self._host.make_way(request.holder)
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
-            self._pursuits.by_hand(request.holder)
+            self._host.by_hand(request.holder)
         except MotionRefused:
             self._control.hand_back(request.holder, previous)
             raise
@@ -166,7 +181,7 @@ class RequestHandler:
         A pursuit that has changed the dish's speeds ends before that, so the whole way is judged for it here.
         """
         gate = self._antenna.gate
-        if self._pursuits.speeds.are_changed:
+        if self._host.speeds.are_changed:
             self._antenna.aim(az_deg, el_deg, leapfrog=False, clamp=clamp)
         elif gate.position is not None:
             gate.check_limits(*self._antenna.to_dish(az_deg, el_deg, clamp=clamp))
@@ -179,7 +194,7 @@ class RequestHandler:
         az_deg, el_deg = (here.az_deg, here.el_deg) if here is not None else (0.0, 0.0)
         try:
             self._mover.turn_skew(Job(az_deg, el_deg, request.holder, future, skew_deg=request.deg))
-            self._pursuits.by_hand(request.holder)
+            self._host.by_hand(request.holder)
         except MotionRefused:
             self._control.hand_back(request.holder, previous)
             raise
@@ -201,7 +216,7 @@ class RequestHandler:
             base = position.az_deg, position.el_deg
         return (base[0] + jog.d_az_deg) % 360.0, base[1] + jog.d_el_deg
 
-    def _home(self, request: ask.Home) -> None:
+    def _home(self, request: ask.Home, future: Future[object]) -> None:
         rotator = self._antenna.rotator
         if rotator.facts.no_homing:
             raise MotionRefused(f"{rotator.facts.no_homing} Nothing was sent.", reason=Reason.UNSUPPORTED)
@@ -209,25 +224,33 @@ class RequestHandler:
         if not set(request.axes) <= set(axes):
             raise MotionRefused(f"This dish has the axes {axes} only. Nothing was sent.", reason=Reason.UNSUPPORTED)
         self._ready(request.holder)
-        self._pursuits.by_hand(request.holder)
+        self._host.by_hand(request.holder)
         self._mover.fail(End.SUPERSEDED, "homing", Stopped("Homing replaced the motion."))
         self._antenna.moving.forget()
         self._store.change(homed=None, position=None, position_lost=Reason.HOMING)
-        self._antenna.moving.keep_busy(MoveKind.HOME)
-        try:
-            for motor in request.axes or axes:
-                if self._control.latched:
-                    raise Stopped("STOP came while the dish homed: no other axis is homed.")
-                self._mover.activity(Activity.HOMING, rotator.facts.axis(motor).name)
-                self._antenna.maintenance.home(motor)
-        finally:
-            self._antenna.moving.keep_busy(None)
-            self._mover.activity(Activity.UNKNOWN, "")
-            self._stopper.resume()
-        if self._reader.position() is not None and not request.axes:
-            self._antenna.gate.count_cable()
-            self._reader.position()
-        self._mover.activity(Activity.IDLE, "")
+        self._host.begin(HomingTask(request.holder, request.axes or axes, not request.axes), future=future)
+
+    def _drive(self, request: ask.Drive) -> None:
+        """Begin to drive, or go on. What a person moves by hand ends what else they had moving."""
+        self._antenna.gate.require_direction()
+        if not any((request.az, request.el)) or not {request.az, request.el} <= {-1, 0, 1}:
+            raise MotionRefused("A drive goes by -1, 0 or 1 on each axis. Nothing was sent.", reason=Reason.DIRECTION)
+        driving = self._host.find(DriveTask.kind)
+        if driving is None or driving.task.holder != request.holder:
+            self._control.refuse(request.holder)
+            self._control.may_take(request.holder)
+            self._parts.free_wire()
+            self._antenna.gate.require_position()
+            self._control.take(request.holder)
+            self._host.by_hand(request.holder)
+        self._host.drive(request.holder, request.az, request.el)
+
+    def _end_motion(self, holder: str) -> None:
+        self._host.end_all_of(holder)
+        if self._store.state.holder == holder:
+            if self._mover.is_moving:
+                self._parts.come_to_rest(f"Ended by {holder}.")
+            self._control.give_back(holder)
 
     def _acknowledge(self, by: str) -> None:
         fault = self._store.state.fault

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -58,6 +59,59 @@ class Pursue:
 @dataclass(frozen=True, slots=True)
 class EndPursuit:
     """End the pursuit; the dish stays where it is, and comes to rest. Nothing happens when there is none."""
+
+    by: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Keep the dish going in a direction: while this is asked for again within 0.6 s, and no longer.
+
+    The dish gets targets a little ahead of it, so it comes to rest by itself whatever becomes of whoever asks.
+    """
+
+    az: int
+    """-1, 0 or 1: clockwise positive."""
+    el: int
+    """-1, 0 or 1: up positive."""
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class EndMotion:
+    """Stop what `holder` has set in motion, end their tasks and give their control back; nothing of anybody else's."""
+
+    holder: str
+
+
+@dataclass(frozen=True, slots=True)
+class BeginTask:
+    """Begin a task of a kind that this station was given (`StationSettings.tasks`); resolves with its number.
+
+    CommandRefused (`unknown`, `bad_parameter`): there is no such kind, or it does not take these values.
+    """
+
+    kind: str
+    values: Mapping[str, Value]
+    """By the names of its fields."""
+    holder: str
+    asked: bool = True
+    """Whether a person has asked for it just now; if not, its first motion counts down."""
+
+
+@dataclass(frozen=True, slots=True)
+class ResumeTask:
+    """Take up what the program before this one did not finish (`StationState.kept_task`); resolves with its number.
+
+    CommandRefused (`absent`) if there is nothing.
+    """
+
+    by: str
+
+
+@dataclass(frozen=True, slots=True)
+class DropTask:
+    """What the program before this one did not finish is not taken up any more."""
 
     by: str
 
@@ -272,6 +326,11 @@ Request = (
     | Follow
     | Pursue
     | EndPursuit
+    | Drive
+    | EndMotion
+    | BeginTask
+    | ResumeTask
+    | DropTask
     | Jog
     | TurnSkew
     | Stop

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import FeedProfile, Settings
@@ -12,6 +13,7 @@ from birdcage.base.no_go import NoGoSector
 from birdcage.link.link import Link
 from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper
+from birdcage.station.tasks.task import ItemTask
 
 OpenLink = Callable[[str, int], Link]
 """Opens a port by its name at a baud rate. LinkError says what is wrong."""
@@ -95,5 +97,7 @@ class StationSettings(Rules):
     """The identity of the dish at a port, under which it is remembered; None for one that ends with the program."""
     held_keeper: HeldKeeper | None = None
     """Keeps HELD for the programs that come after; None if it ends with this one."""
+    tasks: Mapping[str, type[ItemTask[Any]]] = field(default_factory=dict)
+    """Tasks that `BeginTask` may ask for, and that can be taken up again after the program has died, by their kinds."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

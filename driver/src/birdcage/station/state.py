@@ -21,6 +21,7 @@ from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
 from birdcage.rotator.values import Position
 from birdcage.station.pursuit_state import Pursuit
+from birdcage.station.task_state import KeptTask, TaskState
 
 
 class LinkPhase(Enum):
@@ -313,6 +314,10 @@ class StationState:
     """Why no motion is taken at all (unreadable settings), else None."""
     surveyed: bool = False
     """Whether the dish was asked for its identity, limits and settings since the link came up."""
+    tasks: tuple[TaskState, ...] = ()
+    """Those that are not over, in the order in which they began."""
+    kept_task: KeptTask | None = None
+    """What the program before this one did not finish; None if there is nothing to resume."""
     pursuit: Pursuit | None = None
     """The present one, or the last one until another begins."""
     speeds_lent: Mapping[int, float] = field(default_factory=lambda: MappingProxyType({}))
@@ -375,6 +380,8 @@ class StateChanges(TypedDict, total=False):
     limit_sources: Mapping[str, LimitSource]
     motion_refused_because: str | None
     surveyed: bool
+    tasks: tuple[TaskState, ...]
+    kept_task: KeptTask | None
     pursuit: Pursuit | None
     speeds_lent: Mapping[int, float]
     signal_owners: Mapping[str, str]

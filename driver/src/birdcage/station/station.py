@@ -28,7 +28,6 @@ from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.facts_memory import FactsMemory
 from birdcage.station.parts import Parts
-from birdcage.station.pursuit_runner import PursuitRunner
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import MenuCommand, Verdict
 from birdcage.station.raw_console import RawConsole
@@ -44,6 +43,8 @@ from birdcage.station.state import MOVING, StationState
 from birdcage.station.state_store import Listener, StateStore
 from birdcage.station.stop_pending import StopReach
 from birdcage.station.stopper import Stopper
+from birdcage.station.tasks.host import TaskHost
+from birdcage.station.tasks.kept import TaskFile
 from birdcage.station.turn_memory import TurnMemory
 from birdcage.station.watches import Watches
 
@@ -67,7 +68,7 @@ class Station:
         config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
         self.clock, self.settings = clock, settings
         self._antenna = antenna = BirdcageAntenna(rotator, config, settings.alignment)
-        antenna.permit = self._permit
+        antenna.be_permitted_by(self._permit)
         antenna.doubt()
         state = StationState(
             port=settings.port, dish=rotator.facts, turn=rotator.facts.turn, unplanned_stop=antenna.strategy.unplanned
@@ -93,11 +94,12 @@ class Station:
         )  # fmt: skip
         applying = Applying(parts, wrong_facts)
         applying.use(settings)
-        self._pursuits = PursuitRunner(parts)
+        file = TaskFile(settings.state_folder, settings.port, settings.firmware, settings.tasks)
+        self._host = TaskHost(parts, file)
         if settings.state_folder is not None:
-            self._pursuits.speeds.remember(SavedSpeeds(settings.state_folder, settings.port, settings.firmware))
-        self._pursued = False
-        """Whether the last piece of work was the pursuit's: then a request has its turn."""
+            self._host.speeds.remember(SavedSpeeds(settings.state_folder, settings.port, settings.firmware))
+        self._hosted = False
+        """Whether the last piece of work was a task's: then a request has its turn."""
         self._monitor = monitor = DishMonitor(parts)
         self._connection = Connection(
             store, antenna, settings, reader, signals,
@@ -110,7 +112,7 @@ class Station:
         rewire = Rewire(parts, self._connection, monitor, self._wake, self._on_wake)
         effects = RawEffects(store, antenna, mover, settings.remark, monitor.restarted)
         self._raw_console = RawConsole(parts, monitor, effects, self._permit)
-        self._handler = RequestHandler(parts, rewire, self._raw_console, applying, self._pursuits)
+        self._handler = RequestHandler(parts, rewire, self._raw_console, applying, self._host)
 
     @property
     def state(self) -> StationState:
@@ -223,7 +225,7 @@ class Station:
         while not self._closing.is_set():
             self._notice()
             now = self.clock.monotonic()
-            due = self._due()
+            due = self._due(now)
             if due <= now:
                 self._work(now)
                 if now >= until:
@@ -247,7 +249,7 @@ class Station:
         self._drop_inbox()
         self._shutting = True
         try:
-            self._pursuits.shut()
+            self._host.shut()
             self._mover.fail(*self._handler.ending())
             self._raw_console.line.shut()
         finally:
@@ -258,14 +260,12 @@ class Station:
                 self._antenna.adopt(None)
                 self._wake.close()
 
-    def _due(self) -> float:
-        if self._inbox:
-            return -math.inf
-        times = [self._raw_console.due(), self._connection.due, self._stopper.due, self._pursuits.due]
+    def _due(self, now: float) -> float:
+        if self._inbox or (self._connection.is_up and self._host.restore_due):
+            return now
+        times = [self._raw_console.due(), self._connection.due, self._stopper.due, self._host.due(now)]
         if self._connection.is_up:
-            if self._pursuits.restore_due:
-                return -math.inf
-            times += [self._mover.due, self._monitor.due()]
+            times += [self._mover.due, self._monitor.due(now)]
         return min((time for time in times if time is not None), default=math.inf)
 
     def _work(self, now: float) -> None:
@@ -274,7 +274,7 @@ class Station:
         def is_due(time: float | None) -> bool:
             return time is not None and time <= now
 
-        pursued, self._pursued = self._pursued, False
+        hosted, self._hosted = self._hosted, False
         if is_due(self._raw_console.due()):
             self._guard(self._raw_console.tick)  # before STOP's follow-up, which needs the console
         elif is_due(self._stopper.due):
@@ -283,13 +283,13 @@ class Station:
                 self._monitor.met()
         elif is_due(self._connection.due):
             self._guard(self._connect)
-        elif self._connection.is_up and self._pursuits.restore_due:
-            self._guard(self._pursuits.restore)
+        elif self._connection.is_up and self._host.restore_due:
+            self._guard(self._host.restore)
         elif self._connection.is_up and is_due(self._mover.due):
             self._guard(self._mover.tick)
-        elif is_due(self._pursuits.due) and not (pursued and self._inbox):
-            self._pursued = True
-            self._guard(self._pursuits.tick)
+        elif is_due(self._host.due(now)) and not (hosted and self._inbox):
+            self._hosted = True
+            self._guard(partial(self._host.tick, now))
         elif self._inbox:
             self._serve(*self._inbox.popleft())
         else:
@@ -356,7 +356,7 @@ class Station:
         self._wake.clear()
         self._stopper.take_calls()
         self._monitor.check_clock()
-        self._pursuits.stopped()
+        self._host.stopped()
 
     def _on_wake(self) -> None:
         """Notice what happened in the middle of an exchange; end it when the station ends."""

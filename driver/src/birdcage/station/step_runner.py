@@ -1,4 +1,4 @@
-"""Carries out the steps of a pursuit on the wire, one at a time, between the station's other exchanges."""
+"""Carries out the steps of a task on the wire, one at a time, between the station's other exchanges."""
 
 from __future__ import annotations
 
@@ -10,13 +10,26 @@ from birdcage.antenna.motion import AxisMotion, DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
+from birdcage.station.dish_exchanges import DishExchanges
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
 from birdcage.station.parts import Parts
 from birdcage.station.queued_mover import ASTRAY_S, STILL_S
 from birdcage.station.signal_excursion import SignalExcursion
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import Activity, Motion, Pointing
-from birdcage.tracking.steps import Hear, LimitSpeeds, Send, SlewTo, Step, StepResult, Wait
+from birdcage.tracking.steps import (
+    Hear,
+    HomeAxis,
+    LimitSpeeds,
+    PointAt,
+    ReadFeatures,
+    Send,
+    SlewTo,
+    Step,
+    StepResult,
+    TakeReferences,
+    Wait,
+)
 from birdcage.tracking.steps import ReadPosition as Read
 
 MOST_LOST = 2
@@ -42,13 +55,13 @@ SHOW_S = 0.1
 class StepRunner:
     """Knows one step at a time: `take` it, then `carry_out` until it gives the answer."""
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, holder: str, speeds: SpeedRestorer) -> None:
         self._store, self._antenna, self._signals = parts.store, parts.antenna, parts.signals
         self._reader, self._mover = parts.reader, parts.mover
         self._excursion = SignalExcursion(parts.store, parts.antenna, parts.reader, parts.watches)
-        self.speeds = SpeedRestorer(parts.store, parts.antenna, parts.reader)
+        self._exchanges = DishExchanges(parts)
+        self.holder, self.speeds = holder, speeds
         self.step: Step | None = None
-        self.holder = ""
         self.hurry = False
         """Whether a wait ends now: the plan was replaced."""
         self._stops: deque[tuple[float, float]] = deque()
@@ -85,40 +98,40 @@ class StepRunner:
     @property
     def moves(self) -> bool:
         """Whether the step may move the dish, and needs the lease."""
-        return isinstance(self.step, Send | SlewTo | LimitSpeeds)
+        return isinstance(self.step, Send | SlewTo | PointAt | LimitSpeeds | HomeAxis)
 
-    @property
-    def due(self) -> float | None:
-        """When to go on with the step, in monotonic seconds; None while the mover has it."""
-        clock, step = self._store.clock, self.step
-        # What is due at once is due since ever: the present time is later than the one that the loop compares it with.
+    def due(self, now: float) -> float | None:
+        """Return when to go on with the step, `now` for at once, in monotonic seconds; None while the mover has it."""
+        step = self.step
         if isinstance(step, Wait):
             left_s = 0.0 if self.hurry else step.until_s - self.now_s
-            return -math.inf if left_s <= 0.0 else clock.monotonic() + left_s / clock.rate
+            return now + max(0.0, left_s) / self._store.clock.rate
         if isinstance(step, Hear):
             return self._excursion.due
         arrival = self._long or self._arrival
         if arrival is not None and not arrival.done():
             return None
-        return self._ends_at if isinstance(step, Send) else -math.inf
+        return self._ends_at if isinstance(step, Send) else now
 
-    def begin(self, holder: str) -> None:
-        """A pursuit begins, or goes on."""
-        self.holder, self.step, self._arrival, self._lost, self._late = holder, None, None, 0, 0
+    def begin(self) -> None:
+        """A task begins, or goes on."""
+        self.step, self._arrival, self._lost, self._late = None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
         self._unsure_until = self._seen = self._long = self._stood = None
         self._unsure = 0
         self._excursion.forget()
 
-    def forget_turn(self) -> None:
-        """Another pursuit begins: its azimuths are counted from where the dish stands."""
-        self._az_deg = None
+    def drop(self) -> None:
+        """The task goes no further: what it has sent goes on."""
+        self._exchanges.drop()
 
     def take(self, step: Step) -> None:
         """Take the next step on."""
         self.step, self._arrival, self.hurry = step, None, False
         if isinstance(step, SlewTo):
             self._stops = deque(step.waypoints)
+        elif isinstance(step, PointAt):
+            self._stops = deque([self._antenna.alignment.to_dish(step.az_deg, step.el_deg)])
 
     def carry_out(self) -> StepResult | None:
         """Go on with the step; return its answer when it is done.
@@ -138,12 +151,19 @@ class StepRunner:
             self._excursion.end()
         if isinstance(step, Send):
             return self._send(step)
-        if isinstance(step, SlewTo):
+        if isinstance(step, SlewTo | PointAt):
             return self._slew()
         if isinstance(step, Read):
             return self._read()
         if isinstance(step, LimitSpeeds):
             return self._limit(step)
+        if isinstance(step, HomeAxis):
+            self._exchanges.home(step.axis)
+        elif isinstance(step, TakeReferences):
+            self._exchanges.take_references(whole=step.whole)
+        elif isinstance(step, ReadFeatures):
+            readings = self._exchanges.read(step.ids)
+            return StepResult(self.now_s, readings=readings)
         return StepResult(self.now_s)
 
     def looks_anew(self) -> bool:

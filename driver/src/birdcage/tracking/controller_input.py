@@ -9,7 +9,7 @@ from typing import TypeAlias
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.steps import Activity
+from birdcage.tracking.steps import Steps
 
 LEAD_S = 1.0
 """How long before the target comes into reach a controller takes over."""
@@ -51,5 +51,5 @@ class ControllerInput:
         return max(self.dead_band_deg, max(self.dead_band_steps, 0.5) * axis.step_deg)
 
 
-Controller: TypeAlias = Callable[[ControllerInput], Activity]
+Controller: TypeAlias = Callable[[ControllerInput], Steps]
 """Keeps the dish on its course until the leg ends, or it is closed."""

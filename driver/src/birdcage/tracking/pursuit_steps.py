@@ -13,7 +13,7 @@ from birdcage.tracking.controller_input import LEAD_S, ControllerInput
 from birdcage.tracking.plan import PlanLeg, PlanPart
 from birdcage.tracking.planning.routes import Point
 from birdcage.tracking.pursuit_context import PursuitContext, PursuitStage, StageNotice, clock_text
-from birdcage.tracking.steps import Activity, Hear, ReadPosition, Send, SlewTo, Step, StepResult, Wait
+from birdcage.tracking.steps import Hear, ReadPosition, Send, SlewTo, Step, StepResult, Steps, Wait
 from birdcage.tracking.stillness import HEAR_EVERY_S, still_until
 
 COUNTDOWN_S = 5.0
@@ -38,7 +38,7 @@ class Pursuer:
         self._place: Point | None = None
         """Where the dish was sent last, as the course counts it; None before it was sent anywhere."""
 
-    def run(self) -> Activity:
+    def run(self) -> Steps:
         """Carry it out."""
         context, rolling = self._context, False
         while (leg := context.leg_after(max(self._now_s, self._done_s))) is not None:
@@ -68,13 +68,13 @@ class Pursuer:
             yield from self._count_down("The dish is about to move.", what, leave_s)
         return True
 
-    def _count_down(self, why: str, what: str, at_s: float) -> Activity:
+    def _count_down(self, why: str, what: str, at_s: float) -> Steps:
         at_s = max(at_s, self._now_s + COUNTDOWN_S)
         self._tell(PursuitStage.COUNTDOWN, why, what, at_s)
         while self._now_s < at_s:
             yield from self._wait(at_s)
 
-    def _rewind(self, leg: PlanLeg) -> Activity:
+    def _rewind(self, leg: PlanLeg) -> Steps:
         self._tell(
             PursuitStage.REWINDING,
             "Turning the cable back, as planned. The target is lost meanwhile.",
@@ -84,7 +84,7 @@ class Pursuer:
         yield from self._slew((leg.to_az_deg, self._context.course().at(leg.end_s)[1]), leg)
         self._done_s = leg.end_s
 
-    def _be_ready(self, leg: PlanLeg) -> Activity:
+    def _be_ready(self, leg: PlanLeg) -> Steps:
         """Be where the leg begins, and wait for it."""
         start = self._context.course().at(leg.start_s)
         if not self._is_at(start, IN_PLACE_DEG):
@@ -106,7 +106,7 @@ class Pursuer:
         in_place = self._is_at(self._context.course().at(leg.start_s), IN_PLACE_DEG)
         return self._context.lead_s if in_place else LEAD_S
 
-    def _follow(self, leg: PlanLeg) -> Activity:
+    def _follow(self, leg: PlanLeg) -> Steps:
         context = self._context
         if not self._is_at(context.course().at(max(self._now_s, leg.start_s)), JOIN_DEG):
             self._tell(PursuitStage.PREPOSITIONING, "Moving to the target.", "follow", None)
@@ -142,7 +142,7 @@ class Pursuer:
             return f"On the target until {clock_text(plan.reach_end_s)}."
         return "On the target."
 
-    def _steer(self, guide: ControllerInput) -> Activity:
+    def _steer(self, guide: ControllerInput) -> Steps:
         """Hand the controller's steps on, and note where they send the dish."""
         controller = self._context.controller(guide)
         elevation = guide.model.elevation.index
@@ -167,7 +167,7 @@ class Pursuer:
         finally:
             controller.close()
 
-    def _park(self, place: Point) -> Activity:
+    def _park(self, place: Point) -> Steps:
         yield from self._count_down("The pass is over. The dish is about to park.", "park", self._now_s)
         here = yield from self._here()
         if here is None:
@@ -177,7 +177,7 @@ class Pursuer:
         known = self._context.cable is not None
         yield SlewTo(self._way(here, (az_deg, place[1]), turn_known=known).stops)
 
-    def _join(self, leg: PlanLeg) -> Activity:
+    def _join(self, leg: PlanLeg) -> Steps:
         """Go to where the target will be when the dish gets there."""
         here = yield from self._here()
         if here is None:
@@ -188,7 +188,7 @@ class Pursuer:
             to = course.at(min(self._now_s + self._way(here, to, turn_known=known).seconds, leg.end_s))
         yield from self._slew(to, leg, here)
 
-    def _slew(self, to: Point, leg: PlanLeg, here: Point | None = None) -> Activity:
+    def _slew(self, to: Point, leg: PlanLeg, here: Point | None = None) -> Steps:
         if here is None:
             here = yield from self._here()
         stops = (to,) if here is None else self._way(here, to, turn_known=leg.turn is not None).stops
@@ -209,7 +209,7 @@ class Pursuer:
             return False
         return max(abs(shortest_turn(here[0], place[0])), abs(here[1] - place[1])) <= within_deg
 
-    def _wait(self, until_s: float) -> Activity:
+    def _wait(self, until_s: float) -> Steps:
         """Wait; whoever drives may end it early, when the plan was replaced."""
         self._now_s = (yield Wait(until_s)).now_s
 
@@ -217,6 +217,6 @@ class Pursuer:
         self._context.tell(StageNotice(stage, why, what, at_s))
 
 
-def pursue(context: PursuitContext, now_s: float) -> Activity:
+def pursue(context: PursuitContext, now_s: float) -> Steps:
     """Carry out a pursuit from now on (POSIX seconds)."""
     return Pursuer(context, now_s).run()

@@ -8,8 +8,11 @@ clock scales them all; azimuths are the dish's own, unrolled: the turn of the ca
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import TypeAlias
+
+from birdcage.rotator.feature import Reading
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +64,40 @@ class LimitSpeeds:
     """By motor number."""
 
 
-Step: TypeAlias = Wait | Send | SlewTo | ReadPosition | Hear | LimitSpeeds
+@dataclass(frozen=True, slots=True)
+class PointAt:
+    """Point at a true direction, the usual way, and go on at rest there."""
+
+    az_deg: float
+    el_deg: float
+
+
+@dataclass(frozen=True, slots=True)
+class HomeAxis:
+    """Find the reference of an axis by running it into its end stop."""
+
+    axis: int
+    """Motor number."""
+
+
+@dataclass(frozen=True, slots=True)
+class TakeReferences:
+    """Axes were homed: read where the dish is."""
+
+    whole: bool
+    """Whether both were: the turn of the cable is counted from here then."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReadFeatures:
+    """Read features of the machine by their ids; in motion only those whose cost says `while_moving`."""
+
+    ids: tuple[str, ...]
+
+
+Step: TypeAlias = (
+    Wait | Send | SlewTo | PointAt | ReadPosition | Hear | LimitSpeeds | HomeAxis | TakeReferences | ReadFeatures
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +113,8 @@ class StepResult:
     el_deg: float | None = None
     seen_s: float | None = None
     """When it was there, as well as can be told: in the middle of the exchange."""
+    readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
+    """Of `ReadFeatures`, by id: what the machine did not tell is left out."""
 
     def is_lost(self, step: Step) -> bool:
         """Return whether the dish's answer to a step was lost, or came too late."""
@@ -85,4 +123,4 @@ class StepResult:
         return isinstance(step, Send | LimitSpeeds) and self.sent_s is None
 
 
-Activity: TypeAlias = Generator[Step, StepResult, None]
+Steps: TypeAlias = Generator[Step, StepResult, None]

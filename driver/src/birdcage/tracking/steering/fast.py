@@ -13,7 +13,7 @@ from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of, need_of
-from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
+from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 REST_S = 0.02
 """How long it waits where nothing has to move."""
@@ -80,14 +80,14 @@ class AxisFollower:
         self.belief.send(goal_deg, acted_s)
 
 
-def fast(guide: ControllerInput) -> Activity:
+def fast(guide: ControllerInput) -> Steps:
     """Follow as fast as the prompt returns; the position that is read serves as a check."""
     yield from steer(guide, looks=True)
 
 
 def steer(
     guide: ControllerInput, *, looks: bool, beliefs: tuple[AxisBelief | None, AxisBelief | None] = (None, None)
-) -> Activity:
+) -> Steps:
     """Follow with or without reading the position; `beliefs`: of a dish that is on its way already."""
     latency = Latency(guide.model, guide.latency_s)
     followers = AxisFollower(guide, 0, beliefs[0]), AxisFollower(guide, 1, beliefs[1])

@@ -10,12 +10,12 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.leapfrog import overshoot
 from birdcage.rotator.axis import Axis
 from birdcage.tracking.controller_input import ControllerInput
-from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
+from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 EVERY_S = 1.0
 
 
-def leapfrog(guide: ControllerInput) -> Activity:
+def leapfrog(guide: ControllerInput) -> Steps:
     """Read the position, then send both axes; the overshoot is reckoned from the reading, never from an assumption."""
     model = guide.model
     sent = {model.azimuth.index: guide.start_az_deg, model.elevation.index: guide.start_el_deg}

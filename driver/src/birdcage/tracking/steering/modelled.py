@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering import fast, queued, whole
-from birdcage.tracking.steps import Activity
+from birdcage.tracking.steps import Steps
 
 
-def modelled(guide: ControllerInput) -> Activity:
+def modelled(guide: ControllerInput) -> Steps:
     """Follow by the model of both axes alone."""
     if not guide.model.moves_one_axis:
         yield from whole.steer(guide)

@@ -10,7 +10,7 @@ from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steering.lookahead import Lookahead
-from birdcage.tracking.steps import Activity, ReadPosition, Send, Wait
+from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 REST_S = 0.05
 """How long it waits where nothing has to move."""
@@ -18,12 +18,12 @@ SLACK_S = 0.003
 """How much longer a move may take than it should: a queue that never runs dry adds up what each is late by."""
 
 
-def queued(guide: ControllerInput) -> Activity:
+def queued(guide: ControllerInput) -> Steps:
     """Follow with the next command on its way while the last move ends; the position that is read is a check."""
     yield from steer(guide, looks=True)
 
 
-def steer(guide: ControllerInput, *, looks: bool) -> Activity:
+def steer(guide: ControllerInput, *, looks: bool) -> Steps:
     """Follow with or without reading the position."""
     axes = guide.model.azimuth, guide.model.elevation
     latency = Latency(guide.model, guide.latency_s)

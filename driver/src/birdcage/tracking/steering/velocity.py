@@ -21,7 +21,7 @@ from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.fast import steer
 from birdcage.tracking.steering.gliding import REST_S, Glide, RoundPace
 from birdcage.tracking.steering.latency import Latency
-from birdcage.tracking.steps import Activity, LimitSpeeds, ReadPosition, Send, Step, StepResult, Wait
+from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Send, Step, StepResult, Steps, Wait
 
 SOUND = 60
 """It glides where so many lines in a row were answered in time: on a line that loses 8 %, in one case of 150."""
@@ -35,7 +35,7 @@ LEANS = 0.3
 """What a reading counts against the model: its last digit and its moment are as uncertain as what has added up."""
 
 
-def velocity(guide: ControllerInput) -> Activity:
+def velocity(guide: ControllerInput) -> Steps:
     """Follow at matched speeds; at the end of the leg the speeds are as before, and the dish stands on the course."""
     yield from Glider(guide).run()
 
@@ -54,7 +54,7 @@ class Glider:
         self._late: Glide | None = None
         """The axis whose move was not answered in time."""
 
-    def run(self) -> Activity:
+    def run(self) -> Steps:
         """Follow until the leg ends."""
         guide = self._guide
         if (yield from self._is_sound()):
@@ -91,7 +91,7 @@ class Glider:
             yield from self._do(Wait(min(begin_s, guide.until_s)))
         return True
 
-    def _glide(self) -> Activity:
+    def _glide(self) -> Steps:
         """Glide at the speeds that are set, and then at better ones, until an answer is lost.
 
         Or until shortly before the leg ends: a rewind may follow, for which the dish needs its own speeds.
@@ -123,7 +123,7 @@ class Glider:
             pace.rounds[len(due)].take(guide.now_s - began_s)
             guide.latency_s = self._latency.mean_s
 
-    def _restore(self) -> Activity:
+    def _restore(self) -> Steps:
         """Put the speeds back, and see where the dish is."""
         guide, late = self._guide, self._late
         if late is not None:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from birdcage.antenna.motion import plan_axis
 from birdcage.rotator.facts import Facts
 from birdcage.tracking.controller_input import ControllerInput
-from birdcage.tracking.steps import Activity, SlewTo, Wait
+from birdcage.tracking.steps import SlewTo, Steps, Wait
 
 RESTS_S = 0.75
 """From the end of a move until the next command leaves: the proof that it is over, and the line. At first a guess."""
@@ -21,7 +21,7 @@ ROUNDS = 3
 """Of the fixed point between where a move ends and how long it takes."""
 
 
-def steer(guide: ControllerInput) -> Activity:
+def steer(guide: ControllerInput) -> Steps:
     """Follow step by step."""
     az_deg, el_deg, now_s = guide.start_az_deg, guide.start_el_deg, guide.now_s
     bands = guide.least_way_deg(guide.model.azimuth), guide.least_way_deg(guide.model.elevation)

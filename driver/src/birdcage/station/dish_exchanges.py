@@ -1,0 +1,58 @@
+"""The exchanges of tasks that are more than a move: homing an axis, taking its reference, reading features."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from birdcage.rotator.feature import Reading
+from birdcage.rotator.ladder import MoveKind
+from birdcage.station.parts import Parts
+from birdcage.station.state import Activity
+
+
+class DishExchanges:
+    """One at a time, on the station's thread. Raise what the dish raises."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts, self._antenna, self._mover = parts, parts.antenna, parts.mover
+        self._homes = False
+        """Whether the dish is shown as homing because of this."""
+
+    def home(self, axis: int) -> None:
+        """Find the reference of an axis, a motor number. Nothing gets through to the dish meanwhile."""
+        moving = self._antenna.moving
+        self._homes = True
+        moving.keep_busy(MoveKind.HOME)  # first: a STOP that comes with the event must not promise anything
+        try:
+            self._mover.activity(Activity.HOMING, self._antenna.rotator.facts.axis(axis).name)
+            self._antenna.maintenance.home(axis)
+        finally:
+            moving.keep_busy(None)
+            self._parts.stopper.resume()
+
+    def take_references(self, *, whole: bool) -> None:
+        """Read where the dish is after homing; `whole`: count the turn of the cable from there."""
+        self.drop()
+        if self._parts.reader.position() is not None and whole:
+            self._antenna.gate.count_cable()
+            self._parts.reader.position()
+        self._mover.activity(Activity.IDLE, "")
+
+    def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
+        """Read features, and come back to the motor menu."""
+        reader, rotator = self._parts.reader, self._antenna.rotator
+        reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
+        try:
+            readings = rotator.read(ids)
+        finally:
+            if rotator.is_open:
+                rotator.make_ready()
+                reader.elsewhere = False
+        reader.note(readings)
+        return readings
+
+    def drop(self) -> None:
+        """What was under way is over, or cut short."""
+        if self._homes:
+            self._homes = False
+            self._mover.activity(Activity.UNKNOWN, "")

@@ -1,0 +1,1 @@
+"""Whatever takes more than one exchange: pursuits, homing, driving, and whatever else yields steps."""
