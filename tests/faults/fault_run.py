@@ -50,7 +50,7 @@ class FaultRun:
         unasked = self._unasked(stage, struck, future)
         motion = self._fate(stage, future)
         deeds, good = self._go_on(stage)
-        false = list(stage.witness.false)
+        false = list(stage.recorder.false)
         stopping, false_there = self._stopped()
         return Outcome(
             sees=tuple(self.sees), links=tuple(self.links), fault=next(iter(self.faults), None),
@@ -68,8 +68,8 @@ class FaultRun:
         assert not isinstance(arrived, Exception), arrived
         stage.step(3.0)
         assert stage.state.position is not None
-        assert stage.witness.false == []
-        stage.witness.places.clear()
+        assert stage.recorder.false == []
+        stage.recorder.places.clear()
         future = None
         if self.when == MOVING:
             if self.fault.before:
@@ -144,7 +144,7 @@ class FaultRun:
         start_az, start_el = START[self.dialect]
         far_az, far_el = FAR[self.dialect] if self.when == MOVING else START[self.dialect]
         way = shortest_turn(start_az, far_az)
-        for az, el in stage.witness.places:
+        for az, el in stage.recorder.places:
             turn = shortest_turn(start_az, az)
             if not (min(0.0, way) - 0.3 < turn < max(0.0, way) + 0.3 and start_el - 0.3 < el < far_el + 0.3):
                 return [f"went to {az:.1f}/{el:.1f}"]
@@ -238,7 +238,7 @@ class FaultRun:
             escaped=tuple(readable(each.data) for each in escaped), rests=not stage.truth.moving,
             held=stage.state.held is not None,
         )  # fmt: skip
-        return stopping, stage.witness.false
+        return stopping, stage.recorder.false
 
     def _endure(self, stage: Stage, seconds: float, *, again: bool = True) -> None:
         end = stage.now + seconds

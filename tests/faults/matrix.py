@@ -7,7 +7,7 @@ from birdcage.sim.port import FIRMWARE
 
 from .dish_faults import DISH_FAULTS
 from .fault import DIALECTS, Fault
-from .fault_run import Ordeal
+from .fault_run import FaultRun
 from .outcome import Outcome
 from .wire_faults import WIRE_FAULTS
 
@@ -22,4 +22,4 @@ CELLS = tuple(
 
 def outcome(fault: Fault, dialect: str, when: str) -> Outcome:
     """Go through one cell."""
-    return Ordeal(fault, dialect, when).run()
+    return FaultRun(fault, dialect, when).run()

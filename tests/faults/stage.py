@@ -16,7 +16,7 @@ from birdcage.station.settings import StationSettings
 from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
-from .witness import Witness
+from .recorder import Recorder
 
 PORT = "/dev/ttyUSB0"
 OTHER_PORT = "/dev/ttyUSB1"
@@ -54,7 +54,7 @@ class RecordingPort(SimPort):
 
     def write(self, data: bytes) -> None:
         stage = self._stage
-        stage.witness.asked(data)
+        stage.recorder.asked(data)
         super().write(data)
         stage.written.append(Written(stage.clock.monotonic(), data, stage.stopping))
 
@@ -79,8 +79,8 @@ class Stage:
         )
         self.station = Station(self.clock, settings)
         self.session = Session(self.clock, self.station)
-        self.witness = Witness(self)
-        self.station.subscribe(self.witness.hear)
+        self.recorder = Recorder(self)
+        self.station.subscribe(self.recorder.hear)
         self._mark_stop()
         self._count_starts()
 
@@ -151,7 +151,7 @@ class Stage:
         end = self.now + seconds
         while self.now < end - 1e-9:
             self.session.step(min(STEP_S, end - self.now))
-            self.witness.glance()
+            self.recorder.glance()
 
     def until(self, true, seconds: float) -> bool:
         """Let time pass until something holds; return whether it came to that."""

@@ -7,7 +7,7 @@ from birdcage.antenna.reading_filter import JITTER_S
 from birdcage.station.requests import Follow, Goto
 from birdcage.station.state import LinkPhase
 
-from . import witness
+from . import recorder
 from .stage import Stage
 
 EVERY = (3, 4)
@@ -64,7 +64,7 @@ def slews(stage: Stage) -> None:
 @pytest.mark.parametrize("moves", [follow, slews])
 def test_a_changed_digit_is_not_shown(monkeypatch, dialect, number, place, moves, every):
     slewing = JITTER_S * RATE_DEG_S[dialect] if moves is slews else 0.0
-    monkeypatch.setattr(witness, "NEAR_DEG", SPAN_DEG + slewing)
+    monkeypatch.setattr(recorder, "NEAR_DEG", SPAN_DEG + slewing)
     stage = Stage(dialect)
     stage.connect()
     stage.do(Goto(100.0, 40.0, "you"))
@@ -73,7 +73,7 @@ def test_a_changed_digit_is_not_shown(monkeypatch, dialect, number, place, moves
     moves(stage)
     stage.step(2.0)
     assert spoiler.spoilt >= 5 or (number, place) == (1, 3)
-    assert stage.witness.false == []
+    assert stage.recorder.false == []
 
 
 def test_an_angle_that_no_dish_has_is_not_shown_however_often_it_is_read():
@@ -85,5 +85,5 @@ def test_an_angle_that_no_dish_has_is_not_shown_however_often_it_is_read():
     say = shell.say
     shell.say = lambda text: say(text.replace("= 210.", "= 2100."))
     stage.step(5.0)
-    assert stage.witness.false == []
+    assert stage.recorder.false == []
     assert (stage.state.link.state, stage.state.position_lost) == (LinkPhase.UP, "unreadable")

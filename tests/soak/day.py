@@ -18,8 +18,8 @@ from birdcage.station.state import Activity
 from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
-from .fault_mix import Weather
-from .witness import Witness
+from .fault_mix import FaultMix
+from .recorder import Recorder
 
 ADDRESSES = {
     "g2": "g2?root_q=kill&az=-180&el=40",
@@ -42,10 +42,10 @@ class Day:
         self.firmware, self.rng = firmware, random.Random(seed)
         self.clock = VirtualClock()
         self.device = open_device(f"{ADDRESSES[firmware]}&seed={seed}", clock=self.clock)
-        self.witness = Witness(firmware, self.device, self.clock)
-        self.tally = self.witness.tally
+        self.recorder = Recorder(firmware, self.device, self.clock)
+        self.tally = self.recorder.tally
         self.transcript = Transcript(folder, version="soak", file_limit=FILE_LIMIT, total_limit=TOTAL_LIMIT)
-        self._weather = Weather(random.Random(seed + 1))
+        self._fault_mix = FaultMix(random.Random(seed + 1))
         self._begin()
 
     @property
@@ -62,10 +62,10 @@ class Day:
         settings = StationSettings(port="sim:soak", firmware=self.firmware, open_link=self._open)
         self.station = Station(self.clock, settings)
         self.session = Session(self.clock, self.station)
-        self.station.subscribe(self.witness.hear)
+        self.station.subscribe(self.recorder.hear)
         self.station.submit(ask.Watch("screen", frozenset({"position"}), 0.1))
         if not self._until(lambda: self.state.surveyed, 200.0):
-            self.witness.note(f"it did not come up: {self.state.link}")
+            self.recorder.note(f"it did not come up: {self.state.link}")
 
     def _open(self, port, baud):
         try:
@@ -89,7 +89,7 @@ class Day:
         """Ask for something; return its result, or the error."""
         future = self.station.submit(request)
         if not self._until(future.done, seconds):
-            self.witness.note(f"never answered: {request}")
+            self.recorder.note(f"never answered: {request}")
             return None
         error = future.exception(0)
         if error is not None and not isinstance(error, BirdcageError):
@@ -121,10 +121,10 @@ class Day:
 
     def _look(self) -> None:
         if self.state.activity is not Activity.IDLE or self.state.link.state is not LinkNow.UP:
-            self.witness.note(f"after minutes of peace: {self.state.activity}, {self.state.link}")
+            self.recorder.note(f"after minutes of peace: {self.state.activity}, {self.state.link}")
         if not self.device.truth().shell_alive:
-            self.witness.note("the shell has died")
-        self.witness.at_rest(self.state, within_deg=REST_DEG)
+            self.recorder.note("the shell has died")
+        self.recorder.at_rest(self.state, within_deg=REST_DEG)
 
     def _somewhere(self) -> tuple[float, float]:
         return round(self.rng.uniform(0.0, 359.99), 2), round(self.rng.uniform(*REACH[self.firmware]), 2)
@@ -134,10 +134,10 @@ class Day:
         who = who or self.rng.choice(PEOPLE)
         told = self._do(ask.Goto(az_deg, el_deg, who))
         if isinstance(told, BirdcageError):
-            self.witness.note(f"a plain motion failed: {told}")
+            self.recorder.note(f"a plain motion failed: {told}")
         else:
             self.tally["arrived"] += 1
-            self.witness.at_rest(self.state, commanded=(az_deg, el_deg), within_deg=REST_DEG)
+            self.recorder.at_rest(self.state, commanded=(az_deg, el_deg), within_deg=REST_DEG)
         self._do(ask.ReleaseLease(who))
 
     def _change_mind(self) -> None:
@@ -145,7 +145,7 @@ class Day:
         self._step(self.rng.uniform(0.05, 4.0))
         self._go("you")
         if not first.done():
-            self.witness.note("a superseded motion was never answered")
+            self.recorder.note("a superseded motion was never answered")
 
     def _jog(self) -> None:
         self._do(ask.Jog(self.rng.uniform(-3, 3), self.rng.uniform(-0.5, 0.5), "you"))
@@ -157,13 +157,13 @@ class Day:
         self.station.stop("you")
         self._step(CALM_S)
         if not future.done():
-            self.witness.note("a stopped motion was never answered")
+            self.recorder.note("a stopped motion was never answered")
         if self.state.held is None:
-            self.witness.note("STOP does not hold")
+            self.recorder.note("STOP does not hold")
         refused = self._do(ask.Goto(*self._somewhere(), "Gpredict"))
         if not isinstance(refused, BirdcageError):
-            self.witness.note("a motion was taken while STOP holds")
-        self.witness.at_rest(self.state, within_deg=REST_DEG)
+            self.recorder.note("a motion was taken while STOP holds")
+        self.recorder.at_rest(self.state, within_deg=REST_DEG)
 
     def _talk(self) -> None:
         motors = "mot" if self.firmware == "g2" else "motor"
@@ -193,13 +193,13 @@ class Day:
         """Bytes are lost, doubled and replaced for a while, at rest and under way."""
         future = self.station.submit(ask.Goto(*self._somewhere(), "you"))
         self._step(self.rng.uniform(0.02, 6.0))
-        self._weather.spell = self.rng.choice(("drizzle", "drizzle", "storm", "silent"))
+        self._fault_mix.spell = self.rng.choice(("drizzle", "drizzle", "storm", "silent"))
 
         def alter(value: int):
-            self._weather.begin()
-            action = self._weather(value)
+            self._fault_mix.begin()
+            action = self._fault_mix(value)
             if action is not PASS:
-                self.witness.noise_at = self.clock.monotonic()
+                self.recorder.noise_at = self.clock.monotonic()
             return action
 
         self.device.wire.to_host.set_plan(alter)
@@ -235,7 +235,7 @@ class Day:
             if self._is_right():
                 return
             self.tally["not right yet"] += 1
-        self.witness.note(f"it can't be put right: {self.state}")
+        self.recorder.note(f"it can't be put right: {self.state}")
 
     def _is_right(self) -> bool:
         state = self.state

@@ -1,4 +1,4 @@
-"""Thousands of exchanges of a script's antenna with a simulated dish, over a wire whose weather changes."""
+"""Thousands of exchanges of a script's antenna with a simulated dish, over a wire whose faults change."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from birdcage.link.link import Link
 from birdcage.protocol.registry import get_protocol
 from birdcage.sim.port import open_port
 
-from .fault_mix import Weather
+from .fault_mix import FaultMix
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +68,7 @@ class Exchanges:
         self.clock = VirtualClock()
         port = open_port(f"{kind.address}&seed={seed}", clock=self.clock)
         self.device = port.device
-        self.fault_mix = Weather(random.Random(seed + 1)), Weather(random.Random(seed + 2))
+        self.fault_mix = FaultMix(random.Random(seed + 1)), FaultMix(random.Random(seed + 2))
         self.antenna = BirdcageAntenna(
             get_protocol(kind.address.partition("?")[0]), AntennaConfig(leapfrog_enabled=False)
         )
@@ -139,7 +139,7 @@ class Exchanges:
             self._heard[int(words[1])].append(wanted)
 
     def run(self, exchanges: int) -> None:
-        """Have so many exchanges, and look now and then, in clear weather, where the dish has come to."""
+        """Have so many exchanges, and look now and then, on a clean line, where the dish has come to."""
         rng = self.rng
         for number in range(exchanges):
             if number % 100 == 99:
@@ -176,9 +176,9 @@ class Exchanges:
         assert len(self.wrong) < 10, self.wrong
 
     def _may_fail(self, error: BirdcageError) -> str:
-        """In clear weather the first exchange may still pay for what was before, and no other."""
+        """On a clean line the first exchange may still pay for what was before, and no other."""
         clear = all(fault_mix.spell in ("clear", "split") for fault_mix in self.fault_mix)
-        return f"in clear weather: {error}" if clear and self._failing > 1 else ""
+        return f"on a clean line: {error}" if clear and self._failing > 1 else ""
 
     # What is asked, and what must hold.
 

@@ -50,7 +50,7 @@ def test_two_hours(firmware, tmp_path):
     day = Day(firmware, SEED, tmp_path)
     day.until(2.0)
     day.end()
-    assert not day.witness.wrong, "\n".join([f"{firmware}, seed {SEED}", *day.witness.wrong])
+    assert not day.recorder.wrong, "\n".join([f"{firmware}, seed {SEED}", *day.recorder.wrong])
     assert day.tally["arrived"] > 10
 
 
@@ -63,7 +63,7 @@ def test_a_day(firmware, tmp_path):
     before = Holdings.now()
     day.until(24.0)
     after = Holdings.now()
-    assert not day.witness.wrong, "\n".join([f"{firmware}, seed {SEED}", *day.witness.wrong])
+    assert not day.recorder.wrong, "\n".join([f"{firmware}, seed {SEED}", *day.recorder.wrong])
     assert after.threads == before.threads
     assert after.files == before.files
     assert after.bytes - before.bytes < GROWTH_BYTES, (before.blocks, after.blocks)

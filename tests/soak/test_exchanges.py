@@ -10,7 +10,7 @@ What must hold, exchange by exchange:
 - A move that is told to be taken was taken once, to the hundredth; one that is not told so raised an error, or its
   answer counts as unsure; none is taken twice. There is one exception: both the line and its echo were altered.
 - Every move that the dish heard reaches the motors, and at rest count and shaft stand where the last one led.
-- In clear weather nothing fails, but for one exchange after each change of weather. The shell lives (`root_q=kill`).
+- On a clean line nothing fails, but for one exchange after each change of weather. The shell lives (`root_q=kill`).
 """
 
 from __future__ import annotations

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.testing import ConsoleScene, Contract, StopScene, TestBench
+from birdcage.testing import ConsoleScene, Contract, MachineBench, StopScene
 
 from .simulated import sim
 
 
 @pytest.fixture(params=["", "&prompt_when=at_once", "&second_move=abort"])
 def bench(request):
-    return TestBench(
+    return MachineBench(
         "carryout",
         sim(f"carryout?seed=1{request.param}"),
         stops=(StopScene("none", (100.0, 20.0), 2.0, reaches_target="abort" not in request.param),),

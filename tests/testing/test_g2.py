@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.rotator.values import Look
-from birdcage.testing import ConsoleScene, Contract, Golden, StopScene, TestBench
+from birdcage.testing import ConsoleScene, Contract, Golden, MachineBench, StopScene
 
 from .simulated import sim
 
@@ -38,7 +38,7 @@ STUBBORN = sim("g2?seed=1&second_move=queue&az_speed=10")
 
 @pytest.fixture
 def bench():
-    return TestBench(
+    return MachineBench(
         "g2",
         sim("g2?seed=1"),
         stops=(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.rotator.values import Look
-from birdcage.testing import ConsoleScene, Contract, Golden, StopScene, TestBench
+from birdcage.testing import ConsoleScene, Contract, Golden, MachineBench, StopScene
 
 from .simulated import sim
 
@@ -34,7 +34,7 @@ LOOK = Golden(
 
 @pytest.fixture
 def bench():
-    return TestBench(
+    return MachineBench(
         "hal205",
         sim("hal205?seed=1"),
         stops=(

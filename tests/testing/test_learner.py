@@ -16,7 +16,7 @@ from birdcage.rotator.ladder import EVERY_MOVE, POWER_SWITCH, MoveKind, Rung, St
 from birdcage.station.requests import Goto, Home, Release
 from birdcage.station.state import LimitSource
 from birdcage.station.stop_words import stop_line
-from birdcage.testing import Contract, Stage, StopScene, TestBench
+from birdcage.testing import Contract, MachineBench, Stage, StopScene
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shown.state_words import motion_text
 from birdcage_tui.shown.view import View
@@ -33,7 +33,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return TestBench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
+    return MachineBench("learner", twins.LearnerTwin, stops=(StopScene("command", (80.0, 20.0), 1.0),), follows_deg=1.0)
 
 
 def known(monkeypatch, learner, **facts):

@@ -8,7 +8,7 @@ from birdcage.rotator import machines
 from birdcage.rotator.facts import CableTurn
 from birdcage.station.requests import Goto, Read, Set, SetSearch
 from birdcage.station.state import Activity, TvSearch
-from birdcage.testing import Contract, Stage, StopScene, TestBench
+from birdcage.testing import Contract, MachineBench, Stage, StopScene
 from installed_toys import installed
 
 
@@ -23,7 +23,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return TestBench("pushy", twins.PushyTwin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+    return MachineBench("pushy", twins.PushyTwin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
 
 
 class TestPushy(Contract):

@@ -19,7 +19,7 @@ from birdcage.rotator.values import Look
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import ApplySettings, Goto, Jog, Release, Watch
 from birdcage.station.state import LinkPhase
-from birdcage.testing import Contract, Stage, StopScene, TestBench
+from birdcage.testing import Contract, MachineBench, Stage, StopScene
 from birdcage.testing.passing import refuses_passes
 from installed_toys import installed
 
@@ -36,7 +36,7 @@ def twins(tmp_path_factory):
 
 @pytest.fixture
 def bench(twins):
-    return TestBench(
+    return MachineBench(
         "swing", twins.SwingTwin, stops=(StopScene("command", (60.0, 0.0), 4.0),), near_deg=0.15,
         settings={"site": SITE},
     )  # fmt: skip
@@ -119,7 +119,7 @@ def test_no_go_sectors_are_judged_along_the_arc(bench):
 
 
 def test_in_the_south_its_arc_leads_through_north(twins):
-    bench = TestBench(
+    bench = MachineBench(
         "swing", lambda clock: twins.SwingTwin(clock, -33.0), (), near_deg=0.15, settings={"site": Site(-33.0, 18.0)}
     )
     with Stage(bench) as stage:

@@ -20,7 +20,7 @@ from birdcage.rotator.mapping import Site
 from birdcage.rotator.values import Look, Position, Taken
 from birdcage.station import dish_reader
 from birdcage.station.stopper import Stopper
-from birdcage.testing import ConsoleScene, Contract, StopScene, TestBench
+from birdcage.testing import ConsoleScene, Contract, MachineBench, StopScene
 from installed_toys import installed
 
 from .simulated import sim
@@ -242,7 +242,7 @@ def pretends_to_tell(patch):
 ])  # fmt: skip
 def test_a_machine_that_does_not_tell_is_never_vouched_for(monkeypatch, breach, case):
     scene = StopScene("none", (100.0, 20.0), 2.0, reaches_target=True)
-    bench = TestBench(
+    bench = MachineBench(
         "carryout", sim("carryout?seed=1"), stops=(scene,), console=ConsoleScene("?", "g <az>", "g 100 40")
     )
     getattr(Contract(), case)(bench)
@@ -287,7 +287,7 @@ def never_halts(patch):
 def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
     from birdcage_toys import swing_twin
 
-    bench = TestBench(
+    bench = MachineBench(
         "swing", swing_twin.SwingTwin, stops=(StopScene("command", (60.0, 0.0), 4.0),), near_deg=0.15,
         settings={"site": Site(48.0, 11.0)},
     )  # fmt: skip
@@ -325,7 +325,7 @@ def test_a_breach_along_an_arc_is_seen(toys, monkeypatch, breach, case):
 ])  # fmt: skip
 def test_a_breach_is_seen(toys, monkeypatch, breach, case):
     machine, twin = toys
-    bench = TestBench("pushy", twin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
+    bench = MachineBench("pushy", twin, stops=(StopScene("retarget", (100.0, 20.0), 1.0),))
     breach(monkeypatch, machine, twin)
     with pytest.raises((AssertionError, BirdcageError)):
         getattr(Contract(), case)(bench)

@@ -11,7 +11,7 @@ from birdcage.base.errors import MotionRefused
 from birdcage.rotator.mapping import Site
 from birdcage.station.events import MoveEnded
 from birdcage.station.requests import Goto, Home
-from birdcage.testing import Stage, TestBench
+from birdcage.testing import MachineBench, Stage
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.allowed import can_home
@@ -33,7 +33,7 @@ def shown(twins, test, *requests, site=SITE, size=(120, 36)):
     """Return what `test(app, pilot, stage)` returns once these requests are done."""
 
     async def body():
-        with Stage(TestBench("swing", twins.SwingTwin, (), settings={"site": site})) as stage:
+        with Stage(MachineBench("swing", twins.SwingTwin, (), settings={"site": site})) as stage:
             stage.session.start = lambda: None  # stepped here
             app = BirdcageApp(stage.session, AppOptions())
             async with app.run_test(size=size) as pilot:

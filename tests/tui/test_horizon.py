@@ -79,7 +79,7 @@ def test_one_point_hides_nothing_and_says_so():
         ("slewing", {}, "moving"),
         ("travler-slew", {}, "only modelled"),
         ("late", {}, "is 2 s old"),
-        ("idle", {"activity": Activity.UNKNOWN, "raw_motion": True}, "moving or may move"),
+        ("idle", {"activity": Activity.UNKNOWN, "raw_activity": True}, "moving or may move"),
     ],
 )
 def test_only_what_was_just_read_at_rest_is_a_point(name, change, says):

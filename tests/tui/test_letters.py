@@ -12,7 +12,7 @@ from birdcage.station import requests as ask
 from birdcage.station.requests import Home
 from birdcage_tui.commands import for_key, in_force
 from birdcage_tui.commands.jog import STEPS_DEG
-from birdcage_tui.commands.resume import KEY as RESUME
+from birdcage_tui.shown.allowed import RESUME_KEY as RESUME
 from burst import settle
 from key_storm import stage_of_the_pictures
 from textual.widgets import Input

@@ -295,9 +295,9 @@ class Mover(ABC):
     def activity(self, activity: Activity, text: str, *, raw: bool = False) -> None:
         """Say what the dish is doing; `raw`: a raw line may have set it in motion."""
         state = self._store.state
-        if state.activity is activity and state.activity_text == text and state.raw_motion is raw:
+        if state.activity is activity and state.activity_text == text and state.raw_activity is raw:
             return
         at, utc = self._store.stamp()
         since = state.activity_since if state.activity is activity else at
-        self._store.change(activity=activity, activity_text=text, activity_since=since, raw_motion=raw)
+        self._store.change(activity=activity, activity_text=text, activity_since=since, raw_activity=raw)
         self._store.tell(ActivityChanged(at, utc, activity, text, raw))

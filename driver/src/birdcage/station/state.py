@@ -276,8 +276,8 @@ class StationState:
     activity_since: float = 0.0
     activity_text: str = ""
     """More about it: a boot line, the axis being homed."""
-    raw_motion: bool = False
-    """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
+    raw_activity: bool = False
+    """Whether that activity, if it is unknown, is due to a raw line."""
     holder: str | None = None
     held: HeldState | None = None
     held_trouble: str = ""
@@ -334,6 +334,11 @@ class StationState:
         """Whether this dish does not tell where it points, and was not sent anywhere yet: a full direction may be."""
         return self.position_lost is UNTOLD
 
+    @property
+    def raw_motion(self) -> bool:
+        """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
+        return self.raw_activity and self.activity is Activity.UNKNOWN
+
 
 class StateChanges(TypedDict, total=False):
     """What of a `StationState` is replaced: any of its fields."""
@@ -354,7 +359,7 @@ class StateChanges(TypedDict, total=False):
     activity: Activity
     activity_since: float
     activity_text: str
-    raw_motion: bool
+    raw_activity: bool
     holder: str | None
     held: HeldState | None
     held_trouble: str

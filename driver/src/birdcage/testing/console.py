@@ -7,7 +7,7 @@ from birdcage.rotator import machines
 from birdcage.rotator.verdict import Grade
 from birdcage.station.requests import Goto, Raw, Release, ReleaseLease
 from birdcage.testing.stage import Stage, require
-from birdcage.testing.twin import ConsoleScene, TestBench
+from birdcage.testing.twin import ConsoleScene, MachineBench
 
 CONSOLE = "console"
 
@@ -15,7 +15,7 @@ CONSOLE = "console"
 class RawConsoleContract:
     """A person may type anything that the bench can stand; what a machine has no line for is refused."""
 
-    def test_a_line_and_its_answer_or_no_console_at_all(self, bench: TestBench) -> None:
+    def test_a_line_and_its_answer_or_no_console_at_all(self, bench: MachineBench) -> None:
         """The machine's own words come back; without a console the request is refused, and says so."""
         require(
             (machines.make(bench.machine).raw is None) is (bench.console is None),
@@ -31,7 +31,7 @@ class RawConsoleContract:
             said = "\n".join(reply.lines)
             require(scene.answer in said, f"{scene.ask!r} was answered {said!r}, without {scene.answer!r}")
 
-    def test_a_line_that_moves_is_told_as_such_and_refused_while_held(self, bench: TestBench) -> None:
+    def test_a_line_that_moves_is_told_as_such_and_refused_while_held(self, bench: MachineBench) -> None:
         """It needs a person's confirmation, and while the machine is HELD it does not go out at all."""
         scene = bench.console
         if scene is None:
@@ -54,7 +54,7 @@ class RawConsoleContract:
         require(not stage.taken_since(since), f"{stage.taken_since(since)} went out while it was HELD")
         stage.do(Release("contract"))
 
-    def test_no_line_of_ours_ends_its_console(self, bench: TestBench) -> None:
+    def test_no_line_of_ours_ends_its_console(self, bench: MachineBench) -> None:
         """The byte that ends a console where it stands (`q` at a root prompt) goes out only if a person insists.
 
         Through meeting, a go-to, the raw console and leaving.

@@ -28,7 +28,7 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.rotator import Rotator
 from birdcage.station.requests import Goto, Read
 from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
-from birdcage.testing.twin import TestBench, Twin
+from birdcage.testing.twin import MachineBench, Twin
 
 LACKING = "no_such_feature"
 NEAR = 0.01
@@ -40,7 +40,7 @@ KINDS: dict[FeatureKind, type | tuple[type, ...]] = {
 
 
 @contextmanager
-def opened(bench: TestBench) -> Iterator[tuple[Rotator, Twin]]:
+def opened(bench: MachineBench) -> Iterator[tuple[Rotator, Twin]]:
     """Open the machine itself, without a station, at its twin."""
     clock, rotator = VirtualClock(), machines.make(bench.machine)
     twin = bench.twin(clock)
@@ -67,7 +67,7 @@ def refused(twin: Twin, ask: Callable[[], object], error: type[Exception], what:
 class FeatureContract:
     """A machine without features keeps each of these by refusing what it is asked."""
 
-    def test_its_features_are_well_formed(self, bench: TestBench) -> None:
+    def test_its_features_are_well_formed(self, bench: MachineBench) -> None:
         """They are known before a port is open, each by an id of its own; the facts of its search say the same."""
         facts = machines.facts_of(bench.machine)
         told = facts.features
@@ -94,7 +94,7 @@ class FeatureContract:
             require(each.range is None or each.kind is FeatureKind.NUMBER, f"{name} is no number, and has a range")
             require(each.cost.lines > 0 and each.cost.min_interval_s >= 0.0, f"{name} costs {each.cost}")
 
-    def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: TestBench) -> None:
+    def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: MachineBench) -> None:
         """Each of them is read, and nothing moves."""
         with Stage(bench) as stage:
             stage.ready()
@@ -118,7 +118,7 @@ class FeatureContract:
             inside = feature.range is None or feature.range.holds(float(value))
             require(inside, f"{name} was read as {value}, outside {feature.range}")
 
-    def test_what_it_lacks_is_refused_with_nothing_sent(self, bench: TestBench) -> None:
+    def test_what_it_lacks_is_refused_with_nothing_sent(self, bench: MachineBench) -> None:
         """What is not in the table, what can only be read, and what can only be done."""
         with opened(bench) as (rotator, twin):
             features = rotator.features.values()
@@ -131,7 +131,7 @@ class FeatureContract:
                 error = refused(twin, partial(rotator.write, name, 1.0), CommandRefused, f"writing {name}")
                 require(getattr(error, "reason", "") == "unsupported", f"writing {name}: {error}")
 
-    def test_a_value_beyond_its_range_is_refused_with_nothing_sent(self, bench: TestBench) -> None:
+    def test_a_value_beyond_its_range_is_refused_with_nothing_sent(self, bench: MachineBench) -> None:
         """The error says the value and the limit, and is a ValueError too."""
         with opened(bench) as (rotator, twin):
             for each in rotator.features.values():
@@ -143,7 +143,7 @@ class FeatureContract:
                 require(isinstance(error, OutOfRange), f"{each.id}: {type(error).__name__} {error}")
                 require(f"{beyond:g}" in str(error) and f"{limit:g}" in str(error), f"{each.id}: {error}")
 
-    def test_what_is_written_is_read_back(self, bench: TestBench) -> None:
+    def test_what_is_written_is_read_back(self, bench: MachineBench) -> None:
         """The machine itself says what it took, and says it again when it is asked; nothing moves."""
         with opened(bench) as (rotator, twin):
             before = twin.truth()
@@ -197,7 +197,7 @@ class FeatureContract:
         span = 1.0 if feature.range is None else feature.range.high - feature.range.low
         return math.isclose(float(one), float(other), rel_tol=NEAR, abs_tol=NEAR * span if math.isfinite(span) else 0.0)
 
-    def test_nothing_is_read_in_motion_that_may_not_be(self, bench: TestBench) -> None:
+    def test_nothing_is_read_in_motion_that_may_not_be(self, bench: MachineBench) -> None:
         """A question at the wrong time may cost the motion: it is refused by who asks."""
         with Stage(bench) as stage:
             stage.found()

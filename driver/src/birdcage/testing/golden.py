@@ -11,7 +11,7 @@ from birdcage.link.link import Link
 from birdcage.rotator import machines
 from birdcage.rotator.hooks import Hooks
 from birdcage.testing.stage import require
-from birdcage.testing.twin import TestBench
+from birdcage.testing.twin import MachineBench
 
 
 class ScriptedPort:
@@ -59,7 +59,7 @@ class ScriptedPort:
 class GoldenTranscriptContract:
     """The wire byte for byte, from a record that no simulator has a part in."""
 
-    def test_each_recorded_conversation(self, bench: TestBench) -> None:
+    def test_each_recorded_conversation(self, bench: MachineBench) -> None:
         """Every byte that is sent is on record, every recorded byte is sent, and the answers are understood."""
         for golden in bench.goldens:
             clock = VirtualClock()

@@ -8,13 +8,13 @@ from birdcage.rotator.axis import Role
 from birdcage.station.requests import Goto, Jog, ReleaseLease
 from birdcage.station.state import LinkPhase
 from birdcage.testing.stage import FIRST_DEG, STEP_S, Stage, require
-from birdcage.testing.twin import TestBench
+from birdcage.testing.twin import MachineBench
 
 
 class MeetingContract:
     """What holds before anything is asked for."""
 
-    def test_it_is_found_by_its_name_and_tells_its_facts(self, bench: TestBench) -> None:
+    def test_it_is_found_by_its_name_and_tells_its_facts(self, bench: MachineBench) -> None:
         """Every face reads the facts before a port is open: they need no machine."""
         facts = machines.facts_of(bench.machine)
         require(facts.name, "the machine has no name")
@@ -29,7 +29,7 @@ class MeetingContract:
                 "the machine takes beyond is its `cable`, with turn=Turn.REPORTED and turn_by=TurnBy.HOST of the axis",
             )
 
-    def test_it_is_met_without_moving(self, bench: TestBench) -> None:
+    def test_it_is_met_without_moving(self, bench: MachineBench) -> None:
         """Plugging in must never set a machine in motion."""
         with Stage(bench) as stage:
             before = stage.truth
@@ -38,7 +38,7 @@ class MeetingContract:
             require(stage.truth == before, f"it stood at {before} and stands at {stage.truth}")
             require(not stage.twin.taken(), f"commands of moves went out: {stage.twin.taken()}")
 
-    def test_what_is_shown_is_what_the_mechanics_do(self, bench: TestBench) -> None:
+    def test_what_is_shown_is_what_the_mechanics_do(self, bench: MachineBench) -> None:
         """The position on the screen is where it points, within its limits, and control is free.
 
         A machine that does not tell it refuses a step, and shows nothing before the end of its first go-to, unless it
@@ -70,7 +70,7 @@ class MeetingContract:
         require(stage.stands_at(*target), f"it said to have arrived at {target}, and is at {stage.truth}")
         stage.do(ReleaseLease("contract"))
 
-    def test_closing_leaves_it_at_rest(self, bench: TestBench) -> None:
+    def test_closing_leaves_it_at_rest(self, bench: MachineBench) -> None:
         """A program that ends while the machine rests sends nothing that moves it."""
         with Stage(bench) as stage:
             stage.ready()

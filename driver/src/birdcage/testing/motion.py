@@ -10,7 +10,7 @@ from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION
 from birdcage.station.requests import Goto, Jog
 from birdcage.station.state import Activity
 from birdcage.testing.stage import STEP_S, Stage, require
-from birdcage.testing.twin import TestBench
+from birdcage.testing.twin import MachineBench
 
 QUARTERS_DEG = (45.0, 135.0, 225.0, 315.0)
 
@@ -18,7 +18,7 @@ QUARTERS_DEG = (45.0, 135.0, 225.0, 315.0)
 class MotionContract:
     """Arrival is what the mechanics do, never what was sent."""
 
-    def test_a_go_to_arrives_where_the_truth_is(self, bench: TestBench) -> None:
+    def test_a_go_to_arrives_where_the_truth_is(self, bench: MachineBench) -> None:
         """A go-to is over when the mechanics rest at the target, not sooner, and what is shown agrees."""
         with Stage(bench) as stage:
             target = stage.ready().go(40.0, 12.0)
@@ -27,7 +27,7 @@ class MotionContract:
             require(stage.state.activity is Activity.IDLE, f"it still shows {stage.state.activity}")
             require(stage.state.motion is None, "a motion is still shown")
 
-    def test_it_goes_all_round_its_circle(self, bench: TestBench) -> None:
+    def test_it_goes_all_round_its_circle(self, bench: MachineBench) -> None:
         """Each quarter that axis and cable allow is reached and shown, however the machine itself counts."""
         with Stage(bench) as stage:
             facts = stage.found().facts
@@ -43,7 +43,7 @@ class MotionContract:
                     require(stage.stands_at(*target), f"sent to {target}, and is at {stage.truth}")
                     require(stage.shows_truth(), f"shown: {stage.state.position}, true: {stage.truth}")
 
-    def test_a_newer_target_wins(self, bench: TestBench) -> None:
+    def test_a_newer_target_wins(self, bench: MachineBench) -> None:
         """Of two go-tos the second one counts, and whoever asked for the first is told."""
         with Stage(bench) as stage:
             stage.ready()
@@ -54,7 +54,7 @@ class MotionContract:
             require(isinstance(first.exception(0), Superseded), f"the first one ended otherwise: {first.exception(0)}")
             require(stage.stands_at(*target), f"sent to {target}, and is at {stage.truth}")
 
-    def test_a_step_moves_one_axis_and_names_only_that(self, bench: TestBench) -> None:
+    def test_a_step_moves_one_axis_and_names_only_that(self, bench: MachineBench) -> None:
         """An arrow key turns one axis; the other one is not even sent where it stands, as that may stir it.
 
         Unless the machine cannot be sent one axis alone.
@@ -90,7 +90,7 @@ class MotionContract:
             off_deg, told_deg = separation(*asked, stage.truth.az_deg, stage.truth.el_deg), stage.state.target_miss_deg
             require(abs(off_deg - told_deg) <= stage.bench.near_deg, f"{off_deg:.2f}° off, and {told_deg:.2f}° is told")
 
-    def test_what_it_cannot_reach_is_refused_with_the_nearest(self, bench: TestBench) -> None:
+    def test_what_it_cannot_reach_is_refused_with_the_nearest(self, bench: MachineBench) -> None:
         """Of a machine whose axes are not azimuth and elevation: how far it would miss, and where it could go."""
         with Stage(bench) as stage:
             mapping = stage.found().facts.mapping
@@ -108,7 +108,7 @@ class MotionContract:
                 require(said in refusal, f"{said!r} is not told: {refusal}")
             require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
 
-    def test_on_its_way_it_is_shown_where_its_axes_point(self, bench: TestBench) -> None:
+    def test_on_its_way_it_is_shown_where_its_axes_point(self, bench: MachineBench) -> None:
         """Of such a machine: along its arc, and not on a straight line through the sky."""
         with Stage(bench) as stage:
             mapping = stage.found().facts.mapping
@@ -123,7 +123,7 @@ class MotionContract:
                 off_deg = mapping.to_axes(here.dish_az_deg, here.dish_el_deg)[1]
                 require(off_deg <= bench.near_deg, f"shown {off_deg:.2f}° off all that it reaches: {here}")
 
-    def test_steps_add_up(self, bench: TestBench) -> None:
+    def test_steps_add_up(self, bench: MachineBench) -> None:
         """Three presses in a row are three steps, however late the machine is."""
         with Stage(bench) as stage:
             az_deg, el_deg = stage.found().go(30.0, 8.0)
@@ -134,7 +134,7 @@ class MotionContract:
                 target = stage.target(3.0, 0.0, start=(az_deg, el_deg))
             require(stage.stands_at(*target), f"three steps from {az_deg}° and it is at {stage.truth}")
 
-    def test_beyond_a_limit_nothing_is_sent(self, bench: TestBench) -> None:
+    def test_beyond_a_limit_nothing_is_sent(self, bench: MachineBench) -> None:
         """Whatever asks, and be it no number: a refusal says so in a sentence, and the wire stays quiet."""
         with Stage(bench) as stage:
             stage.found()

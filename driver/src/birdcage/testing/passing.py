@@ -13,7 +13,7 @@ from birdcage.station.mounting import mount_of
 from birdcage.station.pursuit_state import Phase, PursuitOptions
 from birdcage.station.requests import EndPursuit, Pursue
 from birdcage.testing.stage import Stage, require
-from birdcage.testing.twin import TestBench
+from birdcage.testing.twin import MachineBench
 
 if TYPE_CHECKING:
     from birdcage.rotator.facts import Facts
@@ -88,7 +88,7 @@ def refuses_passes(stage: Stage) -> bool:
 class PassContract:
     """A pass is followed as its plan foresees, judged by the mechanics."""
 
-    def test_a_pass_is_followed_as_foreseen(self, bench: TestBench) -> None:
+    def test_a_pass_is_followed_as_foreseen(self, bench: MachineBench) -> None:
         """Waiting, there in time, then never further off than the plan says, and at rest when it is ended.
 
         A machine that does not tell its position may be a step away from its model besides, unless it is always sent
@@ -116,7 +116,7 @@ class PassContract:
             require(stage.rests_for(5.0), "it moves after the pursuit has ended")
             require(stage.state.holder is None, f"{stage.state.holder} still has control")
 
-    def test_stop_ends_a_pass(self, bench: TestBench) -> None:
+    def test_stop_ends_a_pass(self, bench: MachineBench) -> None:
         """STOP in the middle of a pass: it comes to rest and stays there, however long the pass would last."""
         with Stage(bench) as stage:
             if stage.found().facts.no_following:

@@ -16,7 +16,7 @@ from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, LinkPhase, StationState
 from birdcage.station.station import Station
-from birdcage.testing.twin import SeenCommand, TestBench, Truth, Twin
+from birdcage.testing.twin import MachineBench, SeenCommand, Truth, Twin
 
 STEP_S = 0.1
 LONGEST_MOVE_S = 240.0
@@ -39,7 +39,7 @@ class Stage:
 
     def __init__(
         self,
-        bench: TestBench,
+        bench: MachineBench,
         twin: Callable[[VirtualClock], Twin] | None = None,
         settings: Mapping[str, Any] | None = None,
     ) -> None:

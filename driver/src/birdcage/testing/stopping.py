@@ -15,7 +15,7 @@ from birdcage.rotator.ladder import StopMeans
 from birdcage.station.requests import Goto, Jog, Release
 from birdcage.station.state import Activity
 from birdcage.testing.stage import LONGEST_MOVE_S, STEP_S, Stage, require
-from birdcage.testing.twin import StopScene, TestBench
+from birdcage.testing.twin import MachineBench, StopScene
 
 BY_HAND = "power"
 """The rung that a person climbs."""
@@ -26,7 +26,7 @@ SHORT_DEG = 2.0
 class StoppingContract:
     """STOP is judged by the mechanics alone."""
 
-    def test_every_rung_has_a_scene(self, bench: TestBench) -> None:
+    def test_every_rung_has_a_scene(self, bench: MachineBench) -> None:
         """A rung that no case has seen at work is a promise.
 
         Whether one works cannot be seen of a machine that does not tell its position: STOP names none but a proven one.
@@ -39,7 +39,7 @@ class StoppingContract:
         seen = [scene.rung for scene in bench.stops]
         require(set(ladder) <= set(seen), f"the ladder has {ladder}, and the bench shows {seen}")
 
-    def test_stop_in_motion_by_each_rung(self, bench: TestBench) -> None:
+    def test_stop_in_motion_by_each_rung(self, bench: MachineBench) -> None:
         """What was said to stop it has stopped it, and it is called confirmed only of a machine that tells where it is.
 
         A rung that needs consent is not climbed without it.
@@ -105,7 +105,7 @@ class StoppingContract:
             require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
             require(stage.knows_nothing(), f"where STOP left it nothing tells, and {stage.state.position} is shown")
 
-    def test_what_stop_has_latched_does_not_go_out(self, bench: TestBench) -> None:
+    def test_what_stop_has_latched_does_not_go_out(self, bench: MachineBench) -> None:
         """STOP may come after everything was judged: the machine asks once more, just before the first byte."""
 
         def latched() -> None:
@@ -133,7 +133,7 @@ class StoppingContract:
         require(not twin.taken(), f"commands of moves went out: {twin.taken()}")
         rotator.close(0.0)
 
-    def test_stop_at_rest_moves_nothing(self, bench: TestBench) -> None:
+    def test_stop_at_rest_moves_nothing(self, bench: MachineBench) -> None:
         """STOP may be pressed at any time."""
         with Stage(bench) as stage:
             stage.found()
@@ -143,7 +143,7 @@ class StoppingContract:
             require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
             require(stage.state.held is not None, "STOP does not hold it")
 
-    def test_held_until_a_person_releases_it(self, bench: TestBench) -> None:
+    def test_held_until_a_person_releases_it(self, bench: MachineBench) -> None:
         """HELD refuses every motion with nothing sent, its release moves nothing by itself, and then it goes."""
         scene = bench.stops[0]
         with Stage(bench, scene.twin, scene.settings) as stage:

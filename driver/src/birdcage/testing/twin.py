@@ -126,7 +126,7 @@ class Golden:
 
 
 @dataclass(frozen=True, slots=True)
-class TestBench:
+class MachineBench:
     """A machine with its twin: what every case of the contract is given."""
 
     machine: str

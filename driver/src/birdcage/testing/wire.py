@@ -11,7 +11,7 @@ from birdcage.station.requests import Goto, Pursue, Release
 from birdcage.station.state import MOVING, LinkPhase
 from birdcage.testing.passing import made_up_pass
 from birdcage.testing.stage import LONGEST_MOVE_S, Stage, require
-from birdcage.testing.twin import TestBench
+from birdcage.testing.twin import MachineBench
 
 NOTICED_S = 30.0
 BACK_S = 60.0
@@ -20,7 +20,7 @@ BACK_S = 60.0
 class WireContract:
     """What is not known is not claimed, and nothing moves by itself afterwards."""
 
-    def test_pulled_out_in_motion_and_put_back(self, bench: TestBench) -> None:
+    def test_pulled_out_in_motion_and_put_back(self, bench: MachineBench) -> None:
         """The motion is ended in words, its position no longer claimed, and the machine comes back without moving."""
         with Stage(bench) as stage:
             motion = self._moving(stage)
@@ -31,7 +31,7 @@ class WireContract:
             stage.twin.plug()
             self._comes_back(stage)
 
-    def test_pulled_out_at_rest_and_put_back(self, bench: TestBench) -> None:
+    def test_pulled_out_at_rest_and_put_back(self, bench: MachineBench) -> None:
         """It can be used again at once."""
         with Stage(bench) as stage:
             stage.found()
@@ -42,7 +42,7 @@ class WireContract:
             self._comes_back(stage)
             self._goes(stage)
 
-    def test_each_fault_at_each_moment(self, bench: TestBench) -> None:
+    def test_each_fault_at_each_moment(self, bench: MachineBench) -> None:
         """The line pulled out, or the machine silent: at rest, in motion, in a pass, and while it is HELD."""
         for fault, shows in (("unplug", LinkPhase.LOST), ("mute", LinkPhase.SILENT)):
             for moment in (self._at_rest, self._moving, self._passing, self._held):
@@ -59,7 +59,7 @@ class WireContract:
                     self._comes_back(stage)
                     require(stage.state.held is not None or not held, f"{fault}: STOP no longer holds it")
 
-    def test_silent_in_motion(self, bench: TestBench) -> None:
+    def test_silent_in_motion(self, bench: MachineBench) -> None:
         """A machine that no longer answers is said to be silent, and its STOP is not called confirmed."""
         with Stage(bench) as stage:
             motion = self._moving(stage)
