@@ -6,17 +6,18 @@ import math
 from collections import deque
 from concurrent.futures import Future
 
-from birdcage.antenna.motion import AxisMotion, DishMotion
+from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
 from birdcage.station.dish_exchanges import DishExchanges
 from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
 from birdcage.station.parts import Parts
-from birdcage.station.queued_mover import ASTRAY_S, STILL_S
+from birdcage.station.queued_mover import STILL_S
 from birdcage.station.signal_excursion import SignalExcursion
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import Activity, Motion, Pointing
+from birdcage.station.unsure_move import UnsureMove, over_at
 from birdcage.tracking.steps import (
     Hear,
     HomeAxis,
@@ -80,10 +81,7 @@ class StepRunner:
         self._shown_at = -math.inf
         self._looked_for: Step | None = None
         """The command for which the dish was looked at anew."""
-        self._unsure_until: float | None = None
-        """When a move must be over that the dish may have taken or not; None if the last answer tells that."""
-        self._seen: Pointing | None = None
-        """The last reading since then."""
+        self._unsure_move = UnsureMove(parts)
 
     @property
     def now_s(self) -> float:
@@ -117,7 +115,8 @@ class StepRunner:
         """A task begins, or goes on."""
         self.step, self._arrival, self._lost, self._late = None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
-        self._unsure_until = self._seen = self._long = self._stood = None
+        self._long = self._stood = None
+        self._unsure_move.forget()
         self._unsure = 0
         self._excursion.forget()
 
@@ -189,8 +188,8 @@ class StepRunner:
     def _send(self, step: Send) -> StepResult | None:
         model = self._antenna.model
         queues = self._antenna.strategy.one_at_a_time
-        if self._unsure_until is not None:
-            return self._see_it_rest(self._unsure_until)
+        if self._unsure_move.is_open:
+            return self._see_it_rest()
         if queues and not self._is_free():
             return None
         elevation, deg = step.axis == model.elevation.index, step.deg
@@ -215,7 +214,7 @@ class StepRunner:
                 self._az_deg = deg
             if not queues:
                 return StepResult(self.now_s)
-            self._wait_out()
+            self._ends_at = self._unsure_move.begin()
             return None
         self._lost = self._late = 0
         self._unsure = 0 if self._antenna.commands.answers[step.axis].sure else self._unsure + 1
@@ -225,33 +224,17 @@ class StepRunner:
             self._show()
         return StepResult(self.now_s, sent_s)
 
-    def _wait_out(self) -> None:
-        """Where moves queue, nothing may follow one whose answer was lost until it must be over."""
-        motion, clock = self._antenna.motion, self._store.clock
-        axes = () if motion is None else (motion.azimuth, motion.elevation)
-        ends_at = max((_over_at(axis, clock.rate) for axis in axes), default=-math.inf)
-        self._ends_at = self._unsure_until = max(clock.monotonic(), ends_at)
-        self._seen = None
-
-    def _see_it_rest(self, since: float) -> StepResult | None:
-        """Look until two readings agree: the dish rests where the move led it, or where it was if it never took it."""
+    def _see_it_rest(self) -> StepResult | None:
+        """Look until the dish rests: where the move led it, or where it was if it never took it."""
         clock = self._store.clock
         if clock.monotonic() < self._ends_at:
             return None
-        answer, before, here = self._read(), self._seen, self._store.state.position
-        now = clock.monotonic()
-        self._ends_at = now + max(STILL_S / clock.rate, 2 * POLL_S)
-        if answer.seen_s is None or here is None:
+        answer = self._read()
+        self._ends_at = clock.monotonic() + max(STILL_S / clock.rate, 2 * POLL_S)
+        if answer.seen_s is None or not self._unsure_move.rests():
             return None
-        self._seen = here
-        if before is not None and self._reader.is_still(before, here):
-            self._unsure_until = None
-            self._antenna.moving.end()
-            self._az_deg = answer.az_deg
-            return answer
-        if before is not None and now > since + ASTRAY_S:
-            self._signals.astray()
-        return None
+        self._az_deg = answer.az_deg
+        return answer
 
     def _is_free(self) -> bool:
         """Return whether a dish whose moves queue has at most the end of one before it."""
@@ -282,7 +265,7 @@ class StepRunner:
             (motion.azimuth, abs(shortest_turn(az_deg, here.dish_az_deg))),
             (motion.elevation, abs(el_deg - here.dish_el_deg)),
         )
-        return any(_over_at(axis, rate) + POLL_S < here.told_at and off > ARRIVED_DEG for axis, off in offs)
+        return any(over_at(axis, rate) + POLL_S < here.told_at and off > ARRIVED_DEG for axis, off in offs)
 
     def _way_deg(self, step: Send) -> float:
         position, motion = self._antenna.gate.position, self._antenna.motion
@@ -410,8 +393,3 @@ class StepRunner:
         if self._az_deg is None:
             self._az_deg = az_deg
         return StepResult(now_s, None, az_deg, pointing.dish_el_deg, (before_s + now_s) / 2)
-
-
-def _over_at(axis: AxisMotion, rate: float) -> float:
-    """Return when an axis rests, by its model alone."""
-    return axis.started + axis.slew.duration_s / rate

@@ -1,0 +1,55 @@
+"""A command of a stream whose answer was lost, on a dish whose moves queue: nothing may follow until it must be over."""
+
+from __future__ import annotations
+
+from birdcage.antenna.motion import AxisMotion
+from birdcage.station.parts import Parts
+from birdcage.station.queued_mover import ASTRAY_S
+from birdcage.station.state import Pointing
+
+
+class UnsureMove:
+    """The dish may have taken it or not: two readings that agree tell that it rests, wherever that is."""
+
+    def __init__(self, parts: Parts) -> None:
+        self._parts, self._store, self._antenna = parts, parts.store, parts.antenna
+        self._since: float | None = None
+        """When it must be over; None if the last answer tells what the dish does."""
+        self._seen: Pointing | None = None
+        """The last reading since then."""
+
+    def forget(self) -> None:
+        """Another task begins, or goes on."""
+        self._since = self._seen = None
+
+    @property
+    def is_open(self) -> bool:
+        """Whether it is not known yet what became of one."""
+        return self._since is not None
+
+    def begin(self) -> float:
+        """An answer was lost: return when the move must be over, in monotonic seconds."""
+        motion, clock = self._antenna.motion, self._store.clock
+        axes = () if motion is None else (motion.azimuth, motion.elevation)
+        self._since = max((over_at(axis, clock.rate) for axis in axes), default=clock.monotonic())
+        self._since, self._seen = max(clock.monotonic(), self._since), None
+        return self._since
+
+    def rests(self) -> bool:
+        """Take in the position that was just read; return whether the dish rests."""
+        before, here, now = self._seen, self._store.state.position, self._store.clock.monotonic()
+        if here is None:
+            return False
+        self._seen = here
+        if before is not None and self._parts.reader.is_still(before, here):
+            self._since = None
+            self._antenna.moving.end()
+            return True
+        if before is not None and self._since is not None and now > self._since + ASTRAY_S:
+            self._parts.signals.astray()
+        return False
+
+
+def over_at(axis: AxisMotion, rate: float) -> float:
+    """Return when an axis rests, by its model alone; monotonic seconds."""
+    return axis.started + axis.slew.duration_s / rate
