@@ -19,7 +19,7 @@ from birdcage.link.ports import PortLister, find_again, identify, list_ports
 from birdcage.link.transcript import Transcript
 from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.narration import narrate
-from birdcage.station.record import keep_faults
+from birdcage.station.record import keep_journal
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from, site_from
 from birdcage.station.station import Station
@@ -80,7 +80,7 @@ def open_session(
         ),
     )
     narrate(station, transcript)
-    keep_faults(station, journal)
+    keep_journal(station, journal)
     tally = keep_wear(station, wear)
 
     def close() -> None:

@@ -21,6 +21,7 @@ from birdcage.station.events import (
     ReadingRead,
     StopConfirmed,
     StopSent,
+    TaskChanged,
 )
 from birdcage.station.state import Pointing
 from birdcage.station.station import Station
@@ -79,6 +80,9 @@ def words_of(event: Event) -> str:
             return f"fault {event.fault.reason} acknowledged by {event.by}"
         case ActivityChanged():
             return f"activity: {event.activity.value} {event.text}".rstrip()
+        case TaskChanged(task=task) if task.kind != "pursuit":
+            how_far = "" if task.of is None else f" {task.done} of {task.of}"
+            return f"{task.kind} by {task.holder}: {task.phase.value}{how_far} {task.why}".rstrip()
         case PursuitChanged(pursuit=pursuit):
             return f"pursuit of {pursuit.plan.aim.name}: {pursuit.phase.value} {pursuit.why}".rstrip()
     return ""

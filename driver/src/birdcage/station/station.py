@@ -60,14 +60,27 @@ class Station:
     Everything else belongs to the thread that calls `step`.
     """
 
-    def __init__(self, clock: Clock, settings: StationSettings) -> None:
-        rotator = machines.make(settings.firmware)
+    @classmethod
+    def adopt(cls, antenna: BirdcageAntenna, clock: Clock, settings: StationSettings) -> Station:
+        """Return a station for an antenna that a script has made; from `begin` on it alone may call that.
+
+        Calls from other threads then raise `WrongThread`. A port that is open is closed here, and opened anew by the
+        station, which has to hear all that the dish says. The antenna's floor stays; the rules are those of `settings`.
+        """
+        antenna.disconnect()
+        return cls(clock, settings, antenna)
+
+    def __init__(self, clock: Clock, settings: StationSettings, antenna: BirdcageAntenna | None = None) -> None:
+        """Without an `antenna`, one for `settings.firmware` is made."""
+        if antenna is None:
+            config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
+            antenna = BirdcageAntenna(machines.make(settings.firmware), config, settings.alignment)
+        rotator = antenna.rotator
         own_facts, wrong_facts = laid_by_owner(rotator.facts, settings.own_facts)
         if settings.own_facts:
-            rotator.facts = own_facts
-        config = AntennaConfig(settings.port, min_elevation=NO_FLOOR_DEG, leapfrog_enabled=False)
-        self.clock, self.settings = clock, settings
-        self._antenna = antenna = BirdcageAntenna(rotator, config, settings.alignment)
+            rotator.facts = antenna.gate.model = own_facts
+            antenna.know(antenna.own)
+        self.clock, self.settings, self._antenna = clock, settings, antenna
         antenna.be_permitted_by(self._permit)
         antenna.doubt()
         state = StationState(

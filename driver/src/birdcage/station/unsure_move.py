@@ -1,4 +1,4 @@
-"""A command of a stream whose answer was lost, on a dish whose moves queue: nothing may follow until it must be over."""
+"""A lost answer in a stream, on a dish whose moves queue: nothing may follow until that move must be over."""
 
 from __future__ import annotations
 

@@ -17,6 +17,8 @@ AHEAD_S = 0.5
 """Each target lies so far ahead at full speed: without the next one the dish comes to rest there."""
 MOST_AHEAD_DEG = 5.0
 LEAST_AHEAD_DEG = 0.5
+EACH_DEG = 2.0
+"""How far each move goes on a dish that takes one at a time."""
 
 
 class DriveTask(Task):
@@ -60,15 +62,18 @@ class DriveTask(Task):
         if here is None:
             raise PositionUnknown("The dish does not know where it points, so it is not driven.")
         targets = []
+        motion, in_turn = self._antenna.motion, self._antenna.strategy.one_at_a_time
+        # One move at a time begins where the last one ends; else each replaces the last, and is counted from here.
+        az_deg, el_deg = motion.rest if in_turn and motion is not None else (here.azimuth, here.elevation)
         if self._az:
-            to_deg = here.azimuth + self._az * _ahead_deg(model.azimuth)
+            to_deg = az_deg + self._az * (EACH_DEG if in_turn else _ahead_deg(model.azimuth))
             if gate.cable_limits is not None and gate.cable_deg is not None:
                 low, high = (here.azimuth + limit - gate.cable_deg for limit in gate.cable_limits)
                 to_deg = min(max(to_deg, low), high)
             if abs(to_deg - here.azimuth) > model.azimuth.step_deg:
                 targets.append((model.azimuth.index, to_deg))
         if self._el:
-            to_deg = here.elevation + self._el * _ahead_deg(model.elevation)
+            to_deg = el_deg + self._el * (EACH_DEG if in_turn else _ahead_deg(model.elevation))
             to_deg = min(max(to_deg, gate.el_floor_deg), gate.el_max_deg)
             if abs(to_deg - here.elevation) > model.elevation.step_deg:
                 targets.append((model.elevation.index, to_deg))
