@@ -68,7 +68,7 @@ def test_offsets_alone_stay_what_they_were() -> None:
     assert offsets.to_dish(5.0, 29.5) == (355.0, 30.0)
     assert Alignment().to_dish(412.3, 30.0) == (412.3, 30.0)
     sector = offsets.sector_to_dish(20.0, 40.0, 30.0, "mast")
-    assert (sector.from_az_deg, sector.to_az_deg, sector.below_el_deg, sector.reason) == (10.0, 30.0, 30.5, "mast")
+    assert (sector.az_from_deg, sector.az_to_deg, sector.el_below_deg, sector.reason) == (10.0, 30.0, 30.5, "mast")
 
 
 @given(AZ, st.floats(1.0, 300.0), st.floats(-10.0, 80.0), SMALL, SMALL, SMALL, AZ, st.floats(0.0, 1.0))
@@ -80,7 +80,7 @@ def test_a_sector_loses_nothing_to_the_tilt(
     inside = (start + width * part, min(below, -10.0 + (below + 10.0) * (az / 360.0)))
     assume(abs(inside[1]) <= abs(below))
     dish_az, dish_el = alignment.to_dish(*inside)
-    assert dish_el <= sector.below_el_deg + 1e-9
+    assert dish_el <= sector.el_below_deg + 1e-9
     assert sector.overlaps(dish_az - 1e-7, 2e-7)
 
 
