@@ -6,7 +6,7 @@ import setup_stand_in
 import stand_in
 from birdcage_tui.pages.setup import SetupPage
 from birdcage_tui.setup.form import ChoiceButton
-from birdcage_tui.setup.words import StepWords
+from birdcage_tui.setup.setup_words import StepWords
 from birdcage_tui.widgets.footer import KeyBar
 from birdcage_tui.widgets.status import BadDayRow, StatusLine, StopButton
 from textual.widgets import Input

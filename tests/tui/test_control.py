@@ -12,7 +12,7 @@ from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.facts import CableTurn
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.requests import Goto
-from birdcage_tui.control.layout import sizes
+from birdcage_tui.control.control_layout import sizes
 from birdcage_tui.control.tape import span_for
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.shown.options import SitePlace

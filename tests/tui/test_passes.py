@@ -3,8 +3,8 @@
 import pytest
 import sky_stand_in
 from birdcage_tui.passes.choose import SORTS, PassFilter, matcher
-from birdcage_tui.passes.layout import VIEWS, layout
 from birdcage_tui.passes.machine import SPEEDS, TimeMachine
+from birdcage_tui.passes.passes_layout import VIEWS, layout
 from birdcage_tui.shown.pass_words import count_text, length_text, reach_sign, reasons_text, shift_text
 from birdcage_tui.shown.sky_picture import Path, Row
 

@@ -13,7 +13,7 @@ from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
-from birdcage_tui.pocket.layout import arrange
+from birdcage_tui.pocket.pocket_layout import arrange
 from birdcage_tui.pocket.reading import PocketReading
 from birdcage_tui.shown.state_words import bad_day
 from birdcage_tui.widgets.dialogs import QuestionScreen

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 
+from birdcage_tui.calibrate.calibrate_words import aside, direction, put_wrapped
 from birdcage_tui.calibrate.lists import ObjectsPane
-from birdcage_tui.calibrate.words import aside, direction, put_wrapped
 from birdcage_tui.commands.mending import motion_mend
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.calibrate.words import ENOUGH, TERMS, figure_rows, fitted_words, put_wrapped
+from birdcage_tui.calibrate.calibrate_words import ENOUGH, TERMS, figure_rows, fitted_words, put_wrapped
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import wrap
 from birdcage_tui.shown.view import View

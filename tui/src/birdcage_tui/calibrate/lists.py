@@ -6,10 +6,10 @@ from typing import TYPE_CHECKING, cast
 
 from textual import events
 
-from birdcage_tui.calibrate.words import maybe, put_wrapped
+from birdcage_tui.calibrate.calibrate_words import maybe, put_wrapped
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, pad, wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from birdcage_tui.calibrate.words import BEGIN, put_wrapped
+from birdcage_tui.calibrate.calibrate_words import BEGIN, put_wrapped
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane

@@ -9,7 +9,7 @@ from typing import cast
 from textual.binding import Binding
 from textual.widgets import Input
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.widgets.esc_field import LeaveField
 
 

@@ -15,15 +15,15 @@ from textual.widgets import Input
 
 from birdcage_tui.console import saying
 from birdcage_tui.console.asking import Asking
+from birdcage_tui.console.console_host import ConsoleHost
 from birdcage_tui.console.entry import ConsoleInput, FindInput, Purpose
 from birdcage_tui.console.frame import HeadLine, HintLine, KeysLine, PromptCell
 from birdcage_tui.console.history import History
-from birdcage_tui.console.host import ConsoleHost
 from birdcage_tui.console.lines_sent import LinesSent
 from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
 from birdcage_tui.console.wire_log import WireLog
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.stop_words import esc_text
 from birdcage_tui.shown.view import View

@@ -12,7 +12,7 @@ from birdcage_tui.control.tape import ROWS, draw_tape
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.needle import draw_needle
 from birdcage_tui.drawing.terminal_cells import ASPECT
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pursuit import aimed_at
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane

@@ -12,7 +12,7 @@ from birdcage_tui.commands.horizon import can_mark
 from birdcage_tui.control import horizon_ask
 from birdcage_tui.control.ask import Change
 from birdcage_tui.control.sketch_screen import SketchScreen
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.dialogs import QuestionScreen
 

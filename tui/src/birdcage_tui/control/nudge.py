@@ -9,7 +9,7 @@ from textual import events
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.digits import angle_text
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pursuit import aimed_at
 from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.pane import Pane

@@ -16,7 +16,7 @@ from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.sky_directions import SkyDirection, sky_directions
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, elide, pad, wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.esc_field import EscField
 from birdcage_tui.widgets.page import Page

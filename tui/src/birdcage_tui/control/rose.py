@@ -16,7 +16,7 @@ from birdcage_tui.control.unknown import why_unknown
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cell_len
 from birdcage_tui.drawing.needle import draw_needle
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pursuit import aimed_at
 from birdcage_tui.shown.state_words import uncertainty_text
 from birdcage_tui.shown.view import View

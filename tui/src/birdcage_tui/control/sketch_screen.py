@@ -12,7 +12,7 @@ from textual.widgets import Static
 
 from birdcage_tui.control.sketch import TOP_DEG, Sketch
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.pane import Pane

@@ -7,7 +7,7 @@ from typing import Protocol, cast
 from textual.widget import Widget
 
 from birdcage_tui.control.tabs import TABS, TabRow, tab_for
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
 

@@ -14,7 +14,7 @@ from textual.widgets import Input, Label
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.goto.goto_skew import is_skew, skew_of, skew_way
 from birdcage_tui.goto.goto_target import StillLooking, aim_of, asks_for, located_of
 from birdcage_tui.goto.goto_text import EXAMPLES

@@ -10,14 +10,14 @@ from textual.containers import Container
 
 from birdcage_tui.calibrate import ask
 from birdcage_tui.calibrate.aim import AimPane
+from birdcage_tui.calibrate.calibrate_layout import regions
 from birdcage_tui.calibrate.figures import FiguresPane, rows_needed, said_below
-from birdcage_tui.calibrate.layout import regions
 from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsPane, present_row
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane
 from birdcage_tui.calibrate.tabs import SetupTabs
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.calibrate_feed import CalibrateSource
-from birdcage_tui.feeds.host import AppHost
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import View

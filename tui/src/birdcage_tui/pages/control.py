@@ -14,19 +14,19 @@ from textual.containers import Horizontal, Vertical
 from birdcage_tui.control import ask
 from birdcage_tui.control.actions import ActionsPane
 from birdcage_tui.control.cable import CablePane
+from birdcage_tui.control.control_layout import WITH_ARC, sizes
 from birdcage_tui.control.elevation import ElevationPane
 from birdcage_tui.control.horizon_hands import HorizonHands
 from birdcage_tui.control.horizon_pane import HorizonPane
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.control.last import LastLine, LogPane
-from birdcage_tui.control.layout import WITH_ARC, sizes
 from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
 from birdcage_tui.control.tabbing import Tabbed
 from birdcage_tui.control.tabs import TabRow
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.goto.reach import refusal_of
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import YOU, View

@@ -11,11 +11,11 @@ from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
 from textual.widgets import Input
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHeadRow
-from birdcage_tui.passes.layout import BESIDE_MAP, MAP_LIST, VIEWS, PassesLayout, layout
 from birdcage_tui.passes.listing import PassList
+from birdcage_tui.passes.passes_layout import BESIDE_MAP, MAP_LIST, VIEWS, PassesLayout, layout
 from birdcage_tui.passes.plot import PassSky
 from birdcage_tui.passes.selection import PassSelection, utc_of
 from birdcage_tui.passes.strip import PassStrip

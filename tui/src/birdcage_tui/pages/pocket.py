@@ -9,8 +9,8 @@ from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
-from birdcage_tui.pocket.layout import PocketLayout, arrange
 from birdcage_tui.pocket.passes import PocketPasses
+from birdcage_tui.pocket.pocket_layout import PocketLayout, arrange
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page

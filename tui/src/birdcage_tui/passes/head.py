@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.base.config import feed_label
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.passes.layout import BESIDE_MAP
+from birdcage_tui.passes.passes_layout import BESIDE_MAP
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text, shift_text
 from birdcage_tui.shown.view import View

@@ -8,7 +8,7 @@ from textual import events
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import fit, wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text

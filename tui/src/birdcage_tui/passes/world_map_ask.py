@@ -7,7 +7,7 @@ from typing import cast
 from birdcage.sky.world import WorldView
 from textual.message import Message
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.world_ask import Ask
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.world_map import WorldMapPane

@@ -10,7 +10,7 @@ from textual.containers import Vertical
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import pad, wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.panes.sky_next import WITH_WORDS, draw_next, next_rows
 from birdcage_tui.passes.empty import empty_words
 from birdcage_tui.passes.selection import PassSelection

@@ -21,10 +21,10 @@ from birdcage_tui.setup.absent import AbsentSetup
 from birdcage_tui.setup.causes import told_apart
 from birdcage_tui.setup.extra import ExtraKind, ExtraPane, kind_for
 from birdcage_tui.setup.form import AnswerForm
-from birdcage_tui.setup.host import SetupHost
-from birdcage_tui.setup.layout import SetupLayout, lay_out
+from birdcage_tui.setup.setup_host import SetupHost
+from birdcage_tui.setup.setup_layout import SetupLayout, lay_out
+from birdcage_tui.setup.setup_words import StepText, StepWords
 from birdcage_tui.setup.steps import StepsPane
-from birdcage_tui.setup.words import StepText, StepWords
 from birdcage_tui.shown.hardware import hardware_words
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View

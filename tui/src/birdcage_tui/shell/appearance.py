@@ -15,7 +15,7 @@ from textual.widget import Widget
 from birdcage_tui.drawing import attributes
 from birdcage_tui.drawing.glyphs import GlyphFilter
 from birdcage_tui.drawing.themes import DEFAULT, LOOKS, ThemeColours
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 
 
 class Ground(Screen[None]):

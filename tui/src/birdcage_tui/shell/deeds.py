@@ -12,7 +12,7 @@ from textual.app import App
 
 from birdcage_tui import commands
 from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.pages.dashboard import DashboardPage

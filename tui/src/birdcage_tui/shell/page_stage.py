@@ -9,7 +9,7 @@ from birdcage.station.requests import Unwatch, Watch
 from textual.app import App
 from textual.widgets import ContentSwitcher
 
-from birdcage_tui.console.host import ConsoleHost
+from birdcage_tui.console.console_host import ConsoleHost
 from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.pages.register import make_page
 from birdcage_tui.widgets.page import Page

@@ -11,7 +11,7 @@ from birdcage.base.errors import BirdcageError
 from birdcage.station.requests import AcceptLimits, Home, SetSearch
 from textual.app import App
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.stop_words import power_switch

@@ -10,7 +10,7 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.track_feed import TrackSource
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.offer import Offer
@@ -18,7 +18,6 @@ from birdcage_tui.shown.pursuit import plan_of
 from birdcage_tui.shown.view import View
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
-from birdcage_tui.track.layout import VIEWS, layout
 from birdcage_tui.track.now import TrackNow
 from birdcage_tui.track.offer import OfferLine
 from birdcage_tui.track.passes import TrackPasses
@@ -26,6 +25,7 @@ from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
 from birdcage_tui.track.strips import TrackStrips
+from birdcage_tui.track.track_layout import VIEWS, layout
 from birdcage_tui.widgets.esc_field import EscField, NamedField
 from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen
 from birdcage_tui.widgets.pane import Pane

@@ -9,7 +9,7 @@ from textual import events
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, fit, wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pass_words import count_text, reach_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane

@@ -13,7 +13,7 @@ from birdcage_tui.commands.mending import release_mend
 from birdcage_tui.commands.track import can_autotrack, can_follow, can_watch
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, fit, pad
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.offer import Offer
 from birdcage_tui.shown.pass_words import clock_text

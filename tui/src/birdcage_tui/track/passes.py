@@ -8,7 +8,7 @@ from textual import events
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import wrap
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pass_words import EDGES, length_text, reasons_text
 from birdcage_tui.shown.pursuit import plan_of
 from birdcage_tui.shown.track_words import left_text, pass_words, reach_words

@@ -12,7 +12,7 @@ from textual.message import Message
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.stop_words import esc_text, stop_keys
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.layer import Found, Layer

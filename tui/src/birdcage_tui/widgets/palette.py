@@ -14,7 +14,7 @@ from textual.content import Content
 from textual.widgets import Input
 
 from birdcage_tui.commands import COMMANDS, PAGES, Command, in_force
-from birdcage_tui.feeds.host import AppHost
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.status import TopRow

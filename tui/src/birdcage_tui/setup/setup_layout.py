@@ -13,8 +13,8 @@ from birdcage_tui.panes.pointing import PointingPane
 from birdcage_tui.setup.extra import ExtraKind, ExtraPane
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
+from birdcage_tui.setup.setup_words import StepWords
 from birdcage_tui.setup.steps import StepsPane
-from birdcage_tui.setup.words import StepWords
 from birdcage_tui.widgets.page import Page
 
 LEAST_BELOW = 14
