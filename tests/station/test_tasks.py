@@ -19,8 +19,8 @@ from birdcage.station.requests import (
     ResumeTask,
 )
 from birdcage.station.state import Activity
+from birdcage.station.task import ItemTask
 from birdcage.station.task_state import TaskPhase
-from birdcage.station.tasks.task import ItemTask
 from birdcage.tracking.steps import PointAt, ReadFeatures
 
 from .conftest import Bench

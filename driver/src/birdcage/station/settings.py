@@ -13,7 +13,7 @@ from birdcage.base.no_go import NoGoSector
 from birdcage.link.link import Link
 from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper
-from birdcage.station.tasks.task import ItemTask
+from birdcage.station.task import ItemTask
 
 OpenLink = Callable[[str, int], Link]
 """Opens a port by its name at a baud rate. LinkError says what is wrong."""

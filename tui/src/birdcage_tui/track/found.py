@@ -36,6 +36,8 @@ class FoundTarget:
     favourite: bool = False
     silent: bool = False
     """Whether it is known to send nothing any more: its detail says so, and no pass may stand in its place."""
+    up: bool = False
+    """Whether it is listed because it is up now."""
 
 
 def candidates(view: View) -> list[FoundTarget]:
@@ -51,7 +53,7 @@ def candidates(view: View) -> list[FoundTarget]:
     up = sorted((one for one in view.sky.up if one.name not in known and not one.fixed), key=lambda one: -one.el_deg)
     return rows + [
         FoundTarget(str(one.norad_id or one.name), one.name,
-                  f"{UP}, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite)
+                  f"{UP}, {one.el_deg:.0f}°{'' if one.el_deg >= floor else ', too low'}", one.favourite, up=True)
         for one in up[:MOST_UP]
     ]  # fmt: skip
 
@@ -133,7 +135,7 @@ class FoundList(Pane):
         brief = next_passes(view, {row.text for row in shown}, brief=True) if narrow and least >= BRIEF else {}
         if brief:
             cells.put(4 + width, above - 1, f"{HEADINGS[2]:<11}{'max':>5}", "dim")
-        elif not any(row.detail.startswith(UP) for row in shown):
+        elif not any(row.up for row in shown):
             cells.put(4 + width, above - 1, cut(HEADINGS[1], max(cells.width - 5 - width, 0)), "dim")
         if passes:
             cells.put(aside, above - 1, f"{HEADINGS[2]:<14}{'max':>5}{'reach':>8}", "dim")

@@ -6,7 +6,7 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.clock import Clock
 from birdcage.base.errors import PositionUnknown
 from birdcage.rotator.axis import Axis
-from birdcage.station.tasks.task import Task
+from birdcage.station.task import Task
 from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 HOLD_S = 0.6

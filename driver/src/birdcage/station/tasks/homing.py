@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from birdcage.station.tasks.task import ItemTask
+from birdcage.station.task import ItemTask
 from birdcage.tracking.steps import HomeAxis, Steps, TakeReferences
 
 

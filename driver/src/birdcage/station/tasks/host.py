@@ -14,12 +14,12 @@ from birdcage.station.events import TaskChanged
 from birdcage.station.parts import Parts
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import LinkPhase
+from birdcage.station.task import Task
 from birdcage.station.task_state import TaskPhase
 from birdcage.station.tasks import words
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.kept import TaskFile
 from birdcage.station.tasks.run import TaskRun
-from birdcage.station.tasks.task import Task
 
 
 class TaskHost:

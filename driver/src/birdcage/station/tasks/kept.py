@@ -16,8 +16,8 @@ from birdcage.base.paths import write_aside_and_rename
 from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
+from birdcage.station.task import ItemTask, Task
 from birdcage.station.task_state import KeptTask
-from birdcage.station.tasks.task import ItemTask, Task
 
 FILE = "task.json"
 CLOSE_S = 0.2

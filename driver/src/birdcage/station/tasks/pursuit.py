@@ -9,10 +9,10 @@ from birdcage.station.parts import Parts
 from birdcage.station.pursuit_contexts import context_for, controller_that_suits, refuse
 from birdcage.station.pursuit_reporter import PursuitReporter
 from birdcage.station.pursuit_state import DONE, Phase, Pursuit
+from birdcage.station.task import Report, Task
 from birdcage.station.task_state import TaskPhase
 from birdcage.station.tasks.host import TaskHost
 from birdcage.station.tasks.run import TaskRun, utc_of
-from birdcage.station.tasks.task import Report, Task
 from birdcage.tracking.steps import StepResult, Steps
 
 if TYPE_CHECKING:

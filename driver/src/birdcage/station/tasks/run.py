@@ -15,9 +15,9 @@ from birdcage.station.parts import Parts
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.step_runner import StepRunner
+from birdcage.station.task import Task
 from birdcage.station.task_state import TaskPhase, TaskState
 from birdcage.station.tasks import words
-from birdcage.station.tasks.task import Task
 from birdcage.tracking.steps import StepResult, Steps
 
 POLL_S = 0.2

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.base.held import HeldReason
 from birdcage.station.interruption import SENTENCES
 from birdcage.station.state import Fault, HeldState
-from birdcage.station.tasks.task import Task
+from birdcage.station.task import Task
 
 CLOSED = "birdcage has ended."
 
