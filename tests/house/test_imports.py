@@ -148,7 +148,7 @@ def test_the_check_of_imports_sees_what_is_there() -> None:
         "birdcage.sky.nothing": ["does not load"],
     }
     assert "click" in loaded_after("import birdcage.cli.commands.pos")
-    assert "numpy" not in loaded_after("import birdcage.sky.watch, birdcage_tui.shell.shell")
+    assert "numpy" not in loaded_after("import birdcage.sky.watch, birdcage_tui.shell.birdcage_app")
 
 
 def test_the_driver_package_itself_imports_nothing() -> None:
