@@ -145,7 +145,8 @@ class Story(Bench):
         if not talks or not line.strip() or state.activity in MOVING or state.link.state is not LinkNow.UP:
             return True
         if serving is None or isinstance(serving, ask.AcquireLease):
-            return self._fresh and isinstance(serving, ask.AcquireLease)
+            homes = any(task.kind == "homing" and task.holder == CONSOLE for task in state.tasks)
+            return homes or (self._fresh and isinstance(serving, ask.AcquireLease))
         if isinstance(serving, ask.Raw):
             return line == serving.line or line == serving.line.strip() or (self._fresh and line in ("q", "mot"))
         if isinstance(serving, ask.ListCommands):

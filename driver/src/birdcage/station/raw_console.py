@@ -158,7 +158,7 @@ class RawConsole:
         """Take the lease and the wire; return the menu that the dish is in, where it has any."""
         self._parts.require_link("nothing is sent")
         state = self._store.state
-        busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING)
+        busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING, Activity.HOMING)
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
                 "birdcage is moving the dish and must hear it. Wait until it rests, or STOP. Nothing was sent.",
