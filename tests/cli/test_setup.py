@@ -159,7 +159,7 @@ def test_a_person_is_led_from_step_to_step(person, pty_dish):
     me.answers("roll (deg", "abc")
     me.sees("'abc' is not a number")
     me.answers("8 Level> ", "q")
-    me.sees("go on where it was")
+    me.sees("`birdcage setup` continues it")
     assert me.ends() == 0
     setup = kept()["setup"]
     assert set(setup) == {"link", "dish", "search", "feed", "limits", "direction"}

@@ -58,7 +58,7 @@ def command(listing: bool, step: str | None) -> None:
             flags().values.pop(name, None)
         dish_wanted = replace(wanted(), firmware=firmware, firmware_given=True)
         say(f"Beginning again, speaking {firmware}.")
-    say("The setup is complete." if finished else "Setup is not finished. Run `birdcage setup` again to continue.")
+    say("The setup is complete." if finished else "Setup is not finished. `birdcage setup` continues it.")
 
 
 def _with_firmware(dish: Wanted, *, detect: bool) -> Wanted:
