@@ -181,6 +181,22 @@ def test_the_program_that_comes_after_a_kill_takes_it_up_where_it_was(tmp_path):
     assert made(state_folder=tmp_path).state.kept_task is None
 
 
+def test_what_cannot_begin_now_can_be_resumed_later(tmp_path):
+    before = made(state_folder=tmp_path)
+    before.do(scan())
+    run_to(before, 1)
+    before.session.close()
+    after = made(state_folder=tmp_path)
+    after.station.stop("you")
+    after.step(2)
+    with pytest.raises(BirdcageError, match="HELD"):
+        after.do(ResumeTask("you"))
+    assert after.state.kept_task.done == 1
+    after.do(Release("you"))
+    after.do(ResumeTask("you"))
+    assert finish(after).is_done
+
+
 def test_what_is_dropped_is_not_taken_up_and_a_damaged_file_is_none(tmp_path):
     before = made(state_folder=tmp_path)
     before.do(scan())

@@ -72,8 +72,8 @@ class TaskHost:
 
     def resume(self) -> TaskRun:
         """Take up what the program before this one did not finish. CommandRefused (`absent`) if there is nothing."""
-        task = self._file.take()
-        run = self.begin(task)
+        run = self.begin(self._file.again())
+        self._file.kept = None
         self._store.change(kept_task=None)
         return run
 

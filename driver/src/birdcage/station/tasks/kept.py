@@ -56,8 +56,8 @@ class TaskFile:
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
             return None
 
-    def take(self) -> Task:
-        """Return it, as far as it was. CommandRefused if there is nothing to be taken up."""
+    def again(self) -> Task:
+        """Return it, as far as it was; it stays on disk. CommandRefused if there is nothing to be taken up."""
         kept = self.kept
         if kept is None:
             raise CommandRefused("There is no task to resume. Nothing was sent.", reason=Reason.ABSENT)
@@ -68,7 +68,6 @@ class TaskFile:
             self.drop()
             sentence = f"What is kept of the {kept.kind} does not fit this version: begin it anew. Nothing was sent."
             raise CommandRefused(sentence, reason=Reason.DAMAGED) from error
-        self.kept = None
         return task
 
     def keep(self, task: Task, utc: datetime) -> None:
