@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
-from birdcage.sim.carryout.drive import Drive, Records
+from birdcage.sim.carryout.drive import CarryoutDrive, Records
 from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.carryout.mechanics import CarryoutDish
 from birdcage.sim.carryout.memory import EL_MAX, CarryoutMemory
@@ -22,7 +22,7 @@ class CarryoutBoard:
         self.machine = host.machine
         self.dish = dish
         self.memory = CarryoutMemory(settings)
-        self.drive = Drive(settings, host.machine, dish)
+        self.drive = CarryoutDrive(settings, host.machine, dish)
         self.records = Records(settings, host.machine, dish, self.drive, host.say)
         for axis in dish.axes:
             axis.on_strike = self._strikes(axis)

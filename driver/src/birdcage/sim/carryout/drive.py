@@ -16,7 +16,7 @@ Leg = dict[AxisMechanics, float]
 """Axes that turn together, and the angle of its own count that each goes to."""
 
 
-class Drive:
+class CarryoutDrive:
     """Carries out moves one after the other."""
 
     def __init__(self, settings: CarryoutSettings, machine: Machine, dish: CarryoutDish) -> None:
@@ -101,7 +101,12 @@ class Records:
     """Prints where the motors are, by the firmware's own count, while they run."""
 
     def __init__(
-        self, settings: CarryoutSettings, machine: Machine, dish: CarryoutDish, drive: Drive, say: Callable[[str], None]
+        self,
+        settings: CarryoutSettings,
+        machine: Machine,
+        dish: CarryoutDish,
+        drive: CarryoutDrive,
+        say: Callable[[str], None],
     ) -> None:
         self._settings = settings
         self._machine = machine
