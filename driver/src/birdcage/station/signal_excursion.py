@@ -30,11 +30,10 @@ class SignalExcursion:
         """A pursuit begins, or goes on."""
         self._refused = self.under_way = False
 
-    @property
-    def due(self) -> float:
-        """When to read next, in monotonic seconds."""
+    def due(self, now: float) -> float:
+        """Return when to read next, `now` for at once; monotonic seconds."""
         excursion = self._watches.excursion
-        return -math.inf if excursion is None or not self.under_way else excursion.next_at
+        return now if excursion is None or not self.under_way else excursion.next_at
 
     def _begin(self, step: Hear, now_s: float) -> bool:
         """Return whether the tuner is to be read now: the dish is seen at rest, and stays so for long enough."""

@@ -105,7 +105,7 @@ class StepRunner:
             left_s = 0.0 if self.hurry else step.until_s - self.now_s
             return now + max(0.0, left_s) / self._store.clock.rate
         if isinstance(step, Hear):
-            return self._excursion.due
+            return self._excursion.due(now)
         arrival = self._long or self._arrival
         if arrival is not None and not arrival.done():
             return None
