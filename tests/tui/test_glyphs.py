@@ -140,9 +140,10 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
     made = []
 
     class App:
-        return_code, anew = 0, False
+        return_code = 0
         track = SimpleNamespace(wait=lambda _seconds: None)
-        end_by_signal = fault = None
+        fault = None
+        ending = SimpleNamespace(by_signal=None, anew=False, take_signal=None)
 
         def __init__(self, session, settings, *_):
             self.session = session

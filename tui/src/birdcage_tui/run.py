@@ -123,7 +123,7 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             from birdcage.station.control_server import ControlServer
             from birdcage.station.inhibitor import SleepInhibitor
 
-            # `birdcage stop` in another terminal rings here; and a suspended program stops nothing.
+            # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
             stack.callback(ControlServer(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
         app.ending.take_signal = signals.take
