@@ -1,4 +1,4 @@
-"""The pursuit as an activity: wait, be in place, follow every leg, turn the cable back as announced, and park.
+"""The pursuit as steps of a task: wait, be in place, follow every leg, turn the cable back as announced, and park.
 
 It can begin at any time of the pass: then it joins the course where the target is now.
 """
@@ -28,7 +28,7 @@ JOIN_DEG = 1.0
 
 
 class Pursuer:
-    """Where a pursuit stands. One use each: `run` is the activity."""
+    """Where a pursuit stands. One use each: `run` gives its steps."""
 
     def __init__(self, context: PursuitContext, now_s: float) -> None:
         self._context = context

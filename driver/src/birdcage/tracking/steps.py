@@ -1,6 +1,6 @@
-"""What an activity asks of whoever drives it: requests and waits, one at a time.
+"""What a task asks of whoever drives it: requests and waits, one at a time.
 
-`docs/architecture.md`, *Threads*: an activity is a generator. It yields a step, the station carries it out on its own
+`docs/architecture.md`, *Threads*: a task is a generator. It yields a step, the station carries it out on its own
 thread between exchanges, and sends a `StepResult` back. Times are POSIX seconds of the clock's UTC, so that a scaled
 clock scales them all; azimuths are the dish's own, unrolled: the turn of the cable where that is known.
 """
