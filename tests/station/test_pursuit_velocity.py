@@ -191,6 +191,6 @@ def test_a_speed_that_the_owner_has_told_is_not_taken_for_the_one_that_it_glides
     told = {"own_facts": {"azimuth.speed_deg_s": 40.0, "elevation.speed_deg_s": 30.0}}
     bench = following(seconds=30.0, settings=told)
     assert speeds(bench)[0] < 2.0
-    ways_go_at = bench.station._pursuits._context.model()
+    ways_go_at = bench.station._host.find("pursuit").task.context.model()
     assert (ways_go_at.azimuth.speed_deg_s, ways_go_at.elevation.speed_deg_s) == (40.0, 30.0)
     assert error_deg(bench) < 0.02
