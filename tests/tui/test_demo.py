@@ -65,7 +65,7 @@ def test_the_demo_follows_within_seconds_parks_and_waits_for_the_next_pass():
             on.app.station.subscribe(
                 lambda event: met.append(event.pursuit.phase) if isinstance(event, PursuitChanged) else None
             )
-            await until(on, lambda one: one.phase is Phase.WAITING, 900.0, 3.0)
+            await until(on, lambda one: one.phase is Phase.WAITING, 900.0, 15.0)
             position = on.app.station.state.position
             return began_s, row, list(dict.fromkeys(reversed(met)))[::-1], (position.az_deg, position.el_deg)
 
