@@ -79,7 +79,7 @@ class Drive:
 
 @dataclass(frozen=True, slots=True)
 class EndMotion:
-    """Stop what `holder` has set in motion, end their tasks and give their control back; nothing of anybody else's."""
+    """Stop what `holder` set in motion, end its tasks and give its control back. Other holders keep theirs."""
 
     holder: str
 
