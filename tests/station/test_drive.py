@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.errors import Held, LeaseDenied, MotionRefused
+from birdcage.base.errors import Held, LeaseDenied, MotionRefused, Superseded
 from birdcage.station.requests import AcquireLease, Drive, Goto
 from birdcage.station.state import Activity
 
@@ -85,3 +85,14 @@ def test_whoever_has_no_control_drives_nothing():
     with pytest.raises(MotionRefused, match="-1, 0 or 1"):
         bench.do(Drive(0, 0, "tracker"))
     assert not bench.moves_since(0.0)
+
+
+def test_a_drive_replaces_a_go_to_and_nothing_takes_the_dish_for_stalled():
+    bench = Bench().connect()
+    future = bench.station.submit(Goto(90.0, 40.0, "you"))
+    bench.step(0.5)
+    hold(bench, 0, 1, 2.0)
+    with pytest.raises(Superseded, match="A drive replaced the motion"):
+        future.result(0)
+    bench.step(8)
+    assert (bench.state.fault, bench.state.held, bench.state.activity) == (None, None, Activity.IDLE)

@@ -11,6 +11,7 @@ from birdcage.station.events import TaskChanged
 from birdcage.station.requests import (
     AcquireLease,
     BeginTask,
+    Drive,
     DropTask,
     EndMotion,
     Goto,
@@ -47,13 +48,23 @@ class FourPoints(ItemTask[tuple[float, float]]):
         self.heard_at.append(self.done)
 
 
+@dataclass
+class TwoPoints(FourPoints):
+    """Another kind of scan."""
+
+    kind = "two points"
+
+    def items(self):
+        return POINTS[:2]
+
+
 def scan(asked=True, holder="scan"):
     return BeginTask("four points", {}, holder, asked)
 
 
 def made(**options):
     FourPoints.heard_at.clear()
-    return Bench("g2?seed=1", {"tasks": {"four points": FourPoints}, **options}).connect(6.0)
+    return Bench("g2?seed=1", {"tasks": {"four points": FourPoints, "two points": TwoPoints}, **options}).connect(6.0)
 
 
 @pytest.fixture
@@ -223,6 +234,23 @@ def test_another_one_of_its_kind_replaces_it_and_another_holder_is_refused(bench
     assert finish(bench).is_done
 
 
+def test_a_drive_by_its_holder_ends_the_scan_so_that_one_task_alone_moves_the_dish(bench):
+    bench.do(scan(holder="you"))
+    run_to(bench, 1)
+    bench.do(Drive(1, 0, "you"))
+    assert [task.kind for task in bench.state.tasks] == ["drive"]
+    bench.step(6)
+    assert not bench.state.tasks
+    heard = list(FourPoints.heard_at)
+    bench.do(scan(holder="you"))
+    run_to(bench, 1)
+    bench.do(BeginTask("two points", {}, "you"))
+    assert [task.kind for task in bench.state.tasks] == ["two points"]
+    assert "The two points replaced it." in [each.why for each in told(bench)]
+    assert finish(bench).is_done
+    assert FourPoints.heard_at[len(heard) :] == [0, 0, 1]
+
+
 def test_its_holder_ends_it_and_the_dish_rests_without_being_held(bench):
     bench.do(scan())
     run_to(bench, 1)
@@ -248,7 +276,7 @@ def test_the_end_of_a_holders_motion_stops_their_go_to_alone(bench):
 
 
 def test_what_is_no_task_is_refused_with_a_reason(bench):
-    with pytest.raises(CommandRefused, match="no task called sweep: four points") as unknown:
+    with pytest.raises(CommandRefused, match="no task called sweep: four points, two points") as unknown:
         bench.do(BeginTask("sweep", {}, "you"))
     assert unknown.value.reason == "unknown"
     with pytest.raises(CommandRefused, match="can't begin"):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.base.errors import BirdcageError, MotionRefused, Stopped
+from birdcage.base.errors import BirdcageError, MotionRefused, Stopped, Superseded
 from birdcage.base.reason import Reason
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
@@ -243,6 +243,8 @@ class RequestHandler:
             self._antenna.gate.require_position()
             self._control.take(request.holder)
             self._host.by_hand(request.holder)
+            replaced = "A drive replaced the motion."
+            self._mover.fail(End.SUPERSEDED, replaced, Superseded(replaced))
         self._host.drive(request.holder, request.az, request.el)
 
     def _end_motion(self, holder: str) -> None:

@@ -48,11 +48,11 @@ class TaskHost:
         before = self.find(task.kind)
         if before is not None and before.leads and before.task.holder != task.holder:
             raise LeaseDenied(f"{before.task.holder} has control. Take control first, or wait.")
-        if before is not None:
-            leads = before.leads
-            before.over(words.replaced(task.kind))
-            if leads:
-                before.come_to_rest()
+        for run in self._runs:
+            # Two tasks of one holder would both have control, and pull the dish to and fro.
+            moves = run.leads or run.state.phase is TaskPhase.COUNTDOWN
+            if run is before or (moves and run.task.holder == task.holder):
+                self._end(run, words.replaced(run.task.kind, task.kind))
         self._number += 1
         run = TaskRun(self._parts, task, self._number, self.speeds, self._changed, future)
         self._runs += (run,)

@@ -10,9 +10,9 @@ from birdcage.station.task import Task
 CLOSED = "birdcage has ended."
 
 
-def replaced(kind: str) -> str:
-    """Another one of its kind was asked for."""
-    return f"Another {kind} replaced it."
+def replaced(kind: str, by_kind: str) -> str:
+    """Another task of its holder's, or of its kind, was asked for."""
+    return f"Another {kind} replaced it." if kind == by_kind else f"The {by_kind} replaced it."
 
 
 def ended(kind: str) -> str:
