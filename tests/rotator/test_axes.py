@@ -36,9 +36,9 @@ def test_axes_are_found_by_role_in_whatever_order():
     facts = replace(CARRYOUT_G2, axes=(TILT, PAN))
     assert (facts.azimuth, facts.elevation, facts.skew) == (PAN, TILT, None)
     assert TRAVLER.skew is not None
-    assert TRAVLER.axis(2) is TRAVLER.skew is TRAVLER.named("skew")
+    assert TRAVLER.numbered[2] is TRAVLER.skew is TRAVLER.named["skew"]
     with pytest.raises(KeyError):
-        facts.named("azimuth")
+        facts.named["azimuth"]
     slower = facts.with_axes(replace(PAN, speed_deg_s=1.0))
     assert slower.azimuth.speed_deg_s == 1.0
     assert slower.elevation is TILT

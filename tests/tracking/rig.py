@@ -120,7 +120,7 @@ class Rig:
         return StepResult(self.now, sent_s=sent)
 
     def move(self, step):
-        axis = self.model.axis(step.axis)
+        axis = self.model.numbered[step.axis]
         goal = round(step.deg / axis.step_deg) * axis.step_deg
         begin = self.now
         if self.mode == "queue":

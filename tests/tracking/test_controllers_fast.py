@@ -73,7 +73,7 @@ def test_dead_band_is_kept(option):
 def test_commands_are_whole_steps():
     rig = Rig(straight(0.7, 0.4, seconds=10)).run(fast)
     for _, send in rig.sends():
-        step = rig.model.axis(send.axis).step_deg
+        step = rig.model.numbered[send.axis].step_deg
         ends = 100.0, 107.0, 30.0, 34.0  # of the course, which are not exceeded
         assert send.deg in ends or send.deg / step == pytest.approx(round(send.deg / step), abs=1e-6)
 

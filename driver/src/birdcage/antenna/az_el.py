@@ -128,10 +128,10 @@ class AzEl:
 
     def by_number(self, values: Mapping[str, float]) -> dict[int, float]:
         """Return what the machine tells of its axes."""
-        return {self._rotator.facts.named(name).index: value for name, value in values.items()}
+        return {self._rotator.facts.named[name].index: value for name, value in values.items()}
 
     def _name(self, motor: int) -> str:
-        return self._rotator.facts.axis(motor).name
+        return self._rotator.facts.numbered[motor].name
 
     def nearest(self, az_deg: float, el_deg: float) -> tuple[tuple[float, float], float]:
         """Return the direction that it can point to nearest to one, and by how many degrees on the sky it misses that.

@@ -124,7 +124,7 @@ class MotionGate:
 
     def check_axis(self, index: int, deg: float) -> None:
         """Raise `MotionRefused` unless this one axis may go there, from where the dish stands."""
-        if self.model.axis(index).index == self.model.azimuth.index:
+        if self.model.numbered[index].index == self.model.azimuth.index:
             self.check(deg, None)
         else:
             self.check(None, deg)

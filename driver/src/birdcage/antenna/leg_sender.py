@@ -77,7 +77,7 @@ class LegSender:
         antenna.gate.check_skew(deg)
         antenna.skew.forget()  # until it is taken: a slew must not turn the skew to where STOP kept it from going
         antenna.rotator.send({motor: deg})
-        antenna.skew.taken(antenna.model.axis(motor), deg, clock.monotonic(), clock.rate)
+        antenna.skew.taken(antenna.model.numbered[motor], deg, clock.monotonic(), clock.rate)
 
     @property
     def _start(self) -> Position:

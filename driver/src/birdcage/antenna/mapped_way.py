@@ -22,7 +22,7 @@ def _slews(facts: Facts, start: Position, az_deg: float, el_deg: float) -> dict[
     here, there = mapping.to_axes(start.azimuth, start.elevation)[0], mapping.to_axes(az_deg, el_deg)[0]
     slews = {}
     for name, end_deg in there.items():
-        axis = facts.named(name)
+        axis = facts.named[name]
         rests = abs(end_deg - here[name]) < axis.step_deg / 2
         slews[name] = plan_axis(axis, here[name], here[name] if rests else end_deg)
     return slews

@@ -53,7 +53,7 @@ def steered(
         end = axis.read_deg + (shortest_turn(axis.read_deg, deg) if turn_deg is None else turn_deg)
     else:
         end = deg
-    kind = model.axis(motor)
+    kind = model.numbered[motor]
     sent = replace(
         axis, axis=kind, slew=plan_axis(kind, position, end, velocity), started=begins, streamed=True,
         trusted=axis.is_as_modelled(rate),

@@ -190,7 +190,7 @@ class FirmwareProtocol(ABC):
         return self._send_move(motor_id, degrees, busy_s)
 
     def _check_range(self, motor_id: int, degrees: float) -> None:
-        axis = self.model.axis(motor_id)
+        axis = self.model.numbered[motor_id]
         if not math.isfinite(degrees):
             raise MotionRefused(
                 f"The {axis.name} asked for is {degrees}, which is not an angle. Nothing was sent.",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
+from functools import cached_property
 
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, MOTOR_SKEW
 
@@ -67,7 +68,7 @@ class TurnBy(Enum):
     """It takes the turn of its cable, tells it (`Turn.REPORTED`), and goes there as it stands on the scale."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Axis:
     """One axis in the machine's own degrees."""
 
@@ -99,7 +100,7 @@ class Axis:
     """How far past its target this dish's axis comes to rest on the mean, of moves to greater angles and to lesser;
     None if that was not seen yet."""
 
-    @property
+    @cached_property
     def index(self) -> int:
         """Its number above the seam, as the published interface counts motors: by role. KeyError for one on an arc."""
         return _NUMBERS[self.role]

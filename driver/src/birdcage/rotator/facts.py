@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from enum import Enum
+from functools import cached_property
 
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
@@ -124,9 +125,12 @@ def _no_axis(role: Role, span_deg: float) -> Axis:
     return Axis(role.value, role, 0.0, span_deg, 1.0, 1.0, 0.1, speed_known=False)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class Facts:
-    """A dish. What it lacks is None or False here, and every face greys it out and says why."""
+    """A dish. What it lacks is None or False here, and every face greys it out and says why.
+
+    What is asked at every move is worked out once, from facts that never change: `cached_property`.
+    """
 
     name: str
     firmware: str
@@ -226,7 +230,7 @@ class Facts:
         """Whether it tells the signal strength of a tuner of its own."""
         return RSSI in self.features
 
-    @property
+    @cached_property
     def has_speeds(self) -> bool:
         """Whether the greatest speed of an axis can be read and lowered; `Axis.speed_deg_s` is the most it can do."""
         return any(speed_of(axis.name) in self.features for axis in self.axes)
@@ -245,17 +249,17 @@ class Facts:
         """Whether where it stands can be known from itself."""
         return self.readback is Readback.ALWAYS
 
-    @property
+    @cached_property
     def axes_together(self) -> bool:
         """Whether both axes are known to move at once."""
         return not self.second_other.waits
 
-    @property
+    @cached_property
     def moves_in_turn(self) -> bool:
         """Whether it is sent one move at a time: it waits for the one before, or has a mapping."""
         return self.mapping is not None or self.second_same.waits or self.second_other.waits
 
-    @property
+    @cached_property
     def points(self) -> bool:
         """Whether it can be sent to an azimuth and an elevation; else those two axes only stand for what it lacks."""
         return self.mapping is not None or {Role.AZ, Role.EL} <= {axis.role for axis in self.axes}
@@ -269,14 +273,14 @@ class Facts:
             return f"The {self.name} has no homing."
         return f"The {self.name} homes only at power-up. Switch it off and on."
 
-    @property
+    @cached_property
     def no_direction(self) -> str:
         """Why it cannot be sent to an azimuth and an elevation, and what helps; empty if it can."""
         if self.points:
             return ""
         return f"The {self.name} has no azimuth and elevation. {self.mapping_lacks}".strip()
 
-    @property
+    @cached_property
     def no_following(self) -> str:
         """Why it follows nothing, and what helps; empty if it can."""
         if self.mapping is None:
@@ -284,10 +288,12 @@ class Facts:
         along = "one axis along an arc" if len(self.axes) == 1 else "axes of its own"
         return f"The {self.name} turns {along}, so it follows no pass. Send it to a single direction."
 
-    def axis(self, index: int) -> Axis:
-        """Return the axis of this number above the seam; KeyError for any other."""
-        return {axis.index: axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None}[index]
+    @cached_property
+    def numbered(self) -> Mapping[int, Axis]:
+        """Azimuth, elevation and skew by their numbers above the seam (`Axis.index`)."""
+        return {axis.index: axis for axis in (self.azimuth, self.elevation, self.skew) if axis is not None}
 
-    def named(self, name: str) -> Axis:
-        """Return the axis that the seam calls so; KeyError for any other."""
-        return {axis.name: axis for axis in self.axes}[name]
+    @cached_property
+    def named(self) -> Mapping[str, Axis]:
+        """The machine's own axes by the names that the seam calls them by."""
+        return {axis.name: axis for axis in self.axes}

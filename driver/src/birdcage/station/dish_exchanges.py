@@ -24,7 +24,7 @@ class DishExchanges:
         self._homes = True
         moving.keep_busy(MoveKind.HOME)  # first: a STOP that comes with the event must not promise anything
         try:
-            self._mover.activity(Activity.HOMING, self._antenna.rotator.facts.axis(axis).name)
+            self._mover.activity(Activity.HOMING, self._antenna.rotator.facts.numbered[axis].name)
             self._antenna.maintenance.home(axis)
         finally:
             moving.keep_busy(None)

@@ -250,7 +250,7 @@ class DishReader:
         rotator = self._antenna.rotator
         known = {axis: speed for axis, speed in self._antenna.speeds_deg_s.items() if axis != motor}
         try:
-            reading = rotator.write(speed_of(rotator.facts.axis(motor).name), speed_deg_s)
+            reading = rotator.write(speed_of(rotator.facts.numbered[motor].name), speed_deg_s)
         except OutOfRange:
             raise  # nothing was sent
         except CommandRefused:
@@ -264,7 +264,7 @@ class DishReader:
         self._antenna.use_speeds(speeds)
         self._store.forget_readings("speed.")
         for motor, speed in speeds.items():
-            self._store.read(speed_of(self._antenna.rotator.facts.axis(motor).name), speed, "deg/s")
+            self._store.read(speed_of(self._antenna.rotator.facts.numbered[motor].name), speed, "deg/s")
 
     def limit(self, survey: Survey | None = None) -> None:
         """Set the limits: the dish's own settings, or its model's where it does not tell, narrowed by the user's.

@@ -37,7 +37,7 @@ class SpeedRestorer:
     def set(self, speeds_deg_s: Mapping[int, float]) -> None:
         """Set the greatest speed of axes, by motor number. Raises as `Rotator.write`."""
         known, model = self._antenna.speeds_deg_s, self._antenna.rotator.facts
-        before = {motor: known.get(motor, model.axis(motor).speed_deg_s) for motor in speeds_deg_s}
+        before = {motor: known.get(motor, model.numbered[motor].speed_deg_s) for motor in speeds_deg_s}
         if not before.keys() <= self._before.keys():
             if self._saved is not None:
                 self._saved.write(before | self._before)

@@ -29,7 +29,7 @@ class WearTally:
     def take(self, way: AxisWay) -> None:
         """Take in that an axis was sent on; nothing counts that is no longer than half a step."""
         model = self._station.state.dish
-        if model is None or abs(way.deg) < model.axis(way.axis).step_deg / 2:
+        if model is None or abs(way.deg) < model.numbered[way.axis].step_deg / 2:
             return
         direction, before = math.copysign(1.0, way.deg), self._direction.get(way.axis)
         self._direction[way.axis] = direction

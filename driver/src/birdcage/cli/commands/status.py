@@ -82,7 +82,7 @@ def _wear(dish: Wanted, firmware: str | None, *, demo: bool) -> dict[str, Any] |
         say(str(error))
         return None
     return {
-        model.axis(wear.axis).name: {
+        model.numbered[wear.axis].name: {
             "moves": wear.moves, "degrees": round(wear.degrees, 1), "reversals": wear.reversals,
             "since": wear.since.isoformat() if wear.since is not None else None,
         }

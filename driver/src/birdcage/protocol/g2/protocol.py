@@ -180,7 +180,7 @@ class CarryoutG2Protocol(G2Menus):
 
         Source: docs/reference/g2-motors.md, *Homing*.
         """
-        self.model.axis(motor_id)
+        self.model.numbered[motor_id]  # KeyError for a motor that it has not
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
 
     def home_motors(self) -> HomingReport:

@@ -138,7 +138,7 @@ class _Stage:
         return StepResult(self.now_s, sent_s=sent_s)
 
     def _send(self, step: Send) -> None:
-        axis = self._model.axis(step.axis)
+        axis = self._model.numbered[step.axis]
         begin_s = max(self.now_s, self._busy_s) if self._queues else self.now_s
         at, velocity = self.axes[step.axis].at(begin_s)
         slew = plan_axis(axis, at, round(step.deg / axis.step_deg) * axis.step_deg, velocity)
@@ -150,7 +150,7 @@ class _Stage:
         to = dict(zip((MOTOR_AZIMUTH, MOTOR_ELEVATION), step.waypoints[-1], strict=True))
         begin_s = self.now_s
         for motor, deg in to.items():
-            axis = self._model.axis(motor)
+            axis = self._model.numbered[motor]
             slew = plan_axis(axis, self.axes[motor].at(begin_s)[0], round(deg / axis.step_deg) * axis.step_deg)
             self.axes[motor].go(begin_s, slew)
             begin_s += slew.duration_s
