@@ -272,6 +272,12 @@ def test_defaults_pass_their_own_checks(read):
     assert math.isclose(settings.app.update_hz, Settings().app.update_hz)
 
 
+def test_every_key_of_every_section_is_read_and_checked(read):
+    keys = [row.path.replace("feed.NAME", "feed.mine") for row in rows()]
+    settings = read("".join(f"{key} = [[]]\n" for key in keys))
+    assert {problem.key for problem in settings.problems} == set(keys)
+
+
 class TestSectorsAndHorizon:
     """Lists of lists: what stands in the way of the dish, and the line of trees."""
 

@@ -1,4 +1,4 @@
-"""What the station needs to be told before it begins. Built by `station.session` from `birdcage.toml` and flags."""
+"""What the station needs to be told before it begins. Built by `station.build` from `birdcage.toml` and flags."""
 
 from __future__ import annotations
 

@@ -7,29 +7,24 @@ import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from birdcage.base.config.document import Document, read_document
 from birdcage.base.config.fact_sections import FACT_PARTS, FACT_SECTIONS, OwnFactSettings
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
-from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.schema import SECTIONS, KeyRow, rows_of
-from birdcage.base.config.sections import (
-    AlignmentSettings,
-    AppSettings,
-    DishSettings,
-    LinkSettings,
-    MotionSettings,
-    PlaceSettings,
-)
+from birdcage.base.config.sections import DishSettings
 from birdcage.base.config.settings import Problem, Settings, Source
-from birdcage.base.config.sky_sections import ElementsSettings
-from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
 from birdcage.base.text import clean, clean_all
 
 S = TypeVar("S", bound=Section)
+
+PLAIN_SECTIONS = tuple(
+    each for each in SECTIONS if each not in (DishSettings, *FACT_SECTIONS, FeedSettings, FeedProfile)
+)
+"""Sections that hold nothing but their keys. Each is the field of `Settings` that has its name."""
 
 
 def load(
@@ -65,22 +60,13 @@ class _Reader:
         self._check_sections()
         feed, feeds = self._feeds()
         dish, facts = self._dish()
+        plain: dict[str, Any] = {section.section: self._plain(section) for section in PLAIN_SECTIONS}
         return Settings(
             dish=dish,
             facts=facts,
-            link=self._plain(LinkSettings),
-            motion=self._plain(MotionSettings),
-            alignment=self._plain(AlignmentSettings),
-            place=self._plain(PlaceSettings),
             feed=feed,
             feeds=feeds,
-            elements=self._plain(ElementsSettings),
-            tracking=self._plain(TrackingSettings),
-            autotrack=self._plain(AutotrackSettings),
-            hooks=self._plain(HookSettings),
-            radio=self._plain(RadioSettings),
-            app=self._plain(AppSettings),
-            setup=self._plain(SetupSettings),
+            **plain,
             problems=tuple(self._problems),
             sources=MappingProxyType(self._sources),
         )
