@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from birdcage.base.errors import CommandRefused
 from birdcage.base.reason import Reason
@@ -15,7 +16,7 @@ UNKNOWN_TOKEN = ""
 """Stands for a prompt that no source tells: it is learnt from the dish (decision 0010)."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class ConsoleDialect:
     """The grammar of one firmware's console."""
 
@@ -107,12 +108,12 @@ class ConsoleDialect:
         """Return whether others may be entered in a menu, which may be one that goes by no name."""
         return menu == self.root or menu in self.parents.values() or (bool(self.parents) and menu not in self.prompts)
 
-    @property
+    @cached_property
     def learnt(self) -> bool:
         """Whether its prompts are learnt from the dish."""
         return UNKNOWN_TOKEN in self.prompts.values()
 
-    def may_leave(self, line: str) -> bool:
-        """Return whether `line`, whole or with bytes lost, could leave a menu."""
-        letters = iter(line.lower())
-        return all(letter in letters for letter in self.leave.lower())
+    @cached_property
+    def leaving(self) -> re.Pattern[str]:
+        """Found in each line that, whole or with bytes lost, could leave a menu: the letters of `leave`, in order."""
+        return re.compile(".*".join(map(re.escape, self.leave)), re.IGNORECASE | re.DOTALL)

@@ -48,7 +48,8 @@ class Exchanges:
     def collect(self) -> None:
         """Take in what came, and give answers to earlier lines their time."""
         self._wire.take_in()
-        self.late.end(self.limit)
+        if self.late.lines:
+            self.late.end(self.limit)
 
     def ask(
         self,
@@ -62,7 +63,7 @@ class Exchanges:
     ) -> Reply:
         """Send one line and return its reply; due within `busy_s` + `takes_s` + the delay.
 
-        `wakes`: Enter is pressed once more where no byte comes. See `Console.exchange` for the rest.
+        `wakes`: Enter is pressed once more where no byte comes. See `Console.run` for the rest.
         """
         sent = self._clock.monotonic()
         ticket = self._wire.send(line, takes_s + busy_s, permit)

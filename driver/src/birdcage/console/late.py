@@ -33,20 +33,17 @@ class LateLines:
     def __init__(self, wire: Wire) -> None:
         self.pace = Pace()
         self._wire = wire
-        self._lines: list[_Sent] = []
-
-    def __bool__(self) -> bool:
-        """Return whether any line is not accounted for."""
-        return bool(self._lines)
+        self.lines: list[_Sent] = []
+        """Those that are not accounted for."""
 
     @property
     def owed(self) -> int:
         """How many lines may be answered yet."""
-        return sum(self._wire.codec.owes(late.ticket) for late in self._lines)
+        return sum(self._wire.codec.owes(late.ticket) for late in self.lines)
 
     def proves(self, line: str) -> bool:
         """Return whether the echo of a line can be told from what damage makes of those that are under way."""
-        return not any(may_become(late.line, line) for late in self._lines)
+        return not any(may_become(late.line, line) for late in self.lines)
 
     def answered(self, ticket: int, line: str, sent: float, *, proves: bool) -> None:
         """Take in that a line was answered in time.
@@ -55,14 +52,14 @@ class LateLines:
         """
         self.pace.take(self._wire.clock.monotonic() - sent)
         if proves:
-            self._lines.clear()
+            self.lines.clear()
         else:
-            self._lines.append(_Sent(ticket, line, sent, proves))
+            self.lines.append(_Sent(ticket, line, sent, proves))
 
     def add(self, ticket: int, line: str, sent: float, *, proves: bool) -> None:
         """Wait no longer for the answer to a line."""
         self.pace.miss()
-        self._lines.append(_Sent(ticket, line, sent, proves))
+        self.lines.append(_Sent(ticket, line, sent, proves))
         self._wire.excuse(ticket)
 
     def collect(self) -> None:
@@ -70,7 +67,7 @@ class LateLines:
         wire = self._wire
         gone = wire.clock.monotonic() - 2 * wire.delay_s
         kept: list[_Sent] = []
-        for late in self._lines:
+        for late in self.lines:
             came = wire.taken(late.ticket) is not None
             if came and wire.last_reply is not None:
                 self.pace.take(wire.last_reply - late.sent)
@@ -78,13 +75,13 @@ class LateLines:
                 kept.clear()
             elif late.sent > gone or wire.codec.owes(late.ticket):
                 kept.append(late)
-        self._lines = kept
+        self.lines = kept
 
     def end(self, limit: float | None) -> None:
         """End the stream, giving every answer its time, but none beyond `limit`; what has not come then is missing."""
         self.collect()
         while self.owed:
-            due = self._lines[-1].sent + self._wire.delay_s
+            due = self.lines[-1].sent + self._wire.delay_s
             if not self._wire.pump(due if limit is None else min(due, limit)):
                 break
             self.collect()
@@ -93,8 +90,8 @@ class LateLines:
     def drop(self) -> None:
         """End the stream at once: what still lacks its answer is missing, as any other."""
         self.collect()
-        if self._lines:
+        if self.lines:
             self._wire.lost = True
-        for late in self._lines:
+        for late in self.lines:
             self._wire.forget(late.ticket)
-        self._lines.clear()
+        self.lines.clear()

@@ -205,10 +205,8 @@ class Menus:
         return self.dialect.root if self._wire.menu == self.dialect.root else self._leave_one()
 
     def may_change(self, line: str) -> bool:
-        """Return whether after this line only help tells the menu, as prompts may be alike."""
-        if not self.dialect.learnt:
-            return False
-        return self.dialect.may_leave(line) or (
+        """Return whether after this line only help tells the menu, where prompts are learnt and may be alike."""
+        return self.dialect.leaving.search(line) is not None or (
             self._wire.menu is not None
             and self.dialect.may_hold_menus(self._wire.menu)
             and line.strip() not in ("", HELP)

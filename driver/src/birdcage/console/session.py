@@ -129,28 +129,10 @@ class Console:
         permit: Callable[[], None] | None = None,
         judged: bool = True,
     ) -> Reply:
-        """Send `command` in the present menu and return its reply.
-
-        The prompt is due within `busy_s` + `takes_s` + `delay_s` in total, however much is printed: the dish may be
-        busy so long with what came before. `on_line` hears each line of the reply as it comes. `permit` is called just
-        before the line goes out and may raise to hold it back.
-        Raises NoReply (the next exchange then begins by finding its feet; `busy` where it may still be at what came
-        before), CommandRefused when the firmware says so, unless the caller judges the reply (`judged` False).
-        """
-        self._check(command)
-        if self.dialect.may_leave(command):
-            if self._menus.prove_submenu() == self.dialect.root:
-                raise self._root_hazard(command)
-        else:
-            self._menus.resume()
-        changes = self._menus.may_change(command)
-        reply = self._exchanges.ask(command.strip(), takes_s, on_line, permit, busy_s)
-        if changes:
-            self._wire.menu = None
-        refusal = self.refusal(reply) if judged else None
-        if refusal is not None:
-            raise refusal
-        return reply
+        """Send `command` in the present menu and return its reply; else as `run`."""
+        return self.run(
+            None, command, takes_s=takes_s, busy_s=busy_s, on_line=on_line, permit=permit, judged=judged
+        )  # fmt: skip
 
     def type_line(
         self, line: str, *, takes_s: float = 0.0, permit: Callable[[], None] | None = None, at_root: bool = False
@@ -160,11 +142,11 @@ class Console:
         A line that could leave a menu goes out from a proven submenu only, unless a person wants it `at_root` too.
         """
         self._check(line)
-        if not self.dialect.may_leave(line):
+        if not self.dialect.leaving.search(line):
             self._menus.resume()
         elif self._menus.prove_submenu() == self.dialect.root and not at_root:
             raise self._root_hazard(line)
-        changes = self._menus.may_change(line)
+        changes = self.dialect.learnt and self._menus.may_change(line)
         typed = Typed(self._wire, line, takes_s, permit)
         if changes:
             self._wire.menu = None
@@ -176,7 +158,7 @@ class Console:
 
     def run(
         self,
-        menu: str,
+        menu: str | None,
         command: str,
         *,
         takes_s: float = 0.0,
@@ -185,13 +167,34 @@ class Console:
         permit: Callable[[], None] | None = None,
         judged: bool = True,
     ) -> Reply:
-        """Send `command` in `menu`, going there first if need be; see `exchange`."""
-        self.enter(menu)
-        reply = self.exchange(
-            command, takes_s=takes_s, busy_s=busy_s, on_line=on_line, permit=permit, judged=judged
-        )  # fmt: skip
-        if not self.dialect.may_leave(command):
-            self._came_from(menu, reply)
+        """Send `command` in `menu`, going there first if need be, and return its reply. None: in the present menu.
+
+        The prompt is due within `busy_s` + `takes_s` + `delay_s` in total, however much is printed: the dish may be
+        busy so long with what came before. `on_line` hears each line of the reply as it comes. `permit` is called just
+        before the line goes out and may raise to hold it back.
+        Raises NoReply (the next exchange then begins by finding its feet; `busy` where it may still be at what came
+        before), CommandRefused when the firmware says so, unless the caller judges the reply (`judged` False).
+        """
+        self._check(command)
+        wire, leaves = self._wire, self.dialect.leaving.search(command)
+        if menu is None:
+            self._exchanges.collect()
+        else:
+            self.enter(menu)
+        if leaves:
+            if self._menus.prove_submenu() == self.dialect.root:
+                raise self._root_hazard(command)
+        elif wire.lost or wire.menu is None:
+            self._menus.resume()
+        changes = self.dialect.learnt and self._menus.may_change(command)
+        reply = self._exchanges.ask(command.strip(), takes_s, on_line, permit, busy_s)
+        if changes:
+            wire.menu = None
+        refusal = self.dialect.refusal_in(reply) if judged else None
+        if refusal is not None:
+            raise refusal
+        if menu is not None and reply.menu != menu and not leaves:
+            raise self._from_elsewhere(menu, reply)
         return reply
 
     def hurry(
@@ -206,7 +209,7 @@ class Console:
         Where the console does not echo, or its prompts are learnt, it is `run`. ValueError for what could leave a menu.
         """
         self._check(command)
-        if self.dialect.may_leave(command):
+        if self.dialect.leaving.search(command):
             raise ValueError(f"`{command}` could leave the menu and can't be hurried")
         if not self.dialect.echo or self.dialect.learnt:
             return self.run(menu, command, permit=permit, judged=judged)
@@ -214,26 +217,28 @@ class Console:
         self._exchanges.late.collect()
         if self._wire.lost or self.menu != menu or self._exchanges.late.owed >= MOST_LATE:
             self.enter(menu)
-        if asks and self._exchanges.late:
+        if asks and self._exchanges.late.lines:
             raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)
         reply = self._exchanges.ask_soon(command.strip(), permit)
         refusal = self.refusal(reply) if judged else None
         if refusal is not None:
             raise refusal
-        self._came_from(menu, reply)
+        if reply.menu != menu:
+            raise self._from_elsewhere(menu, reply)
         return reply
 
     @staticmethod
-    def _came_from(menu: str, reply: Reply) -> None:
-        if reply.menu != menu:
-            raise CommandRefused(
-                f"`{reply.command}` was meant for menu `{menu}`, but the dish answered from `{reply.menu}`.",
-                reason=Reason.WRONG_MENU,
-            )
+    def _from_elsewhere(menu: str, reply: Reply) -> CommandRefused:
+        return CommandRefused(
+            f"`{reply.command}` was meant for menu `{menu}`, but the dish answered from `{reply.menu}`.",
+            reason=Reason.WRONG_MENU,
+        )
 
     def enter(self, menu: str) -> None:
         """Go to `menu`, by way of the one that it shares with where the dish is; nothing is sent when it is there."""
-        self._menus.enter(menu)
+        self._exchanges.collect()
+        if self._wire.lost or self._wire.menu != menu:
+            self._menus.enter(menu)
 
     def leave(self) -> None:
         """Go back to the root menu, menu by menu; nothing happens when the dish is there.
@@ -287,7 +292,7 @@ class Console:
         """
         for line in lines:
             self._check(line)
-            if self.dialect.may_leave(line):
+            if self.dialect.leaving.search(line):
                 raise ValueError(f"`{line}` could leave the menu and can't be interjected")
         self._wire.interject(lines)
 
@@ -320,7 +325,7 @@ class Console:
         abandoned.
         """
         self._check(command)
-        if self.dialect.may_leave(command):
+        if self.dialect.leaving.search(command):
             raise ValueError(f"`{command}` could leave the menu and can't be streamed")
         self._menus.resume()
         wire = self._wire

@@ -43,7 +43,8 @@ class Wire:
         self._on_line = on_line
         # Reentrant, as a signal handler may interject on top of the thread that it interrupted.
         self._lock = threading.RLock()
-        self._codec = Codec(dialect)
+        self.codec = Codec(dialect)
+        """What reads the stream; for looking at, and for `learn`."""
         self._replies: dict[int, Reply] = {}
         self._sent_at: dict[int, float] = {}
         self._interjected: list[int] = []
@@ -62,9 +63,8 @@ class Wire:
         self._hazard_doubt: float | None = None
         self._beginning = None if keeps_order(link.name) else self.doubt_until
         """The doubt of a new session, where bytes of an earlier one may come after ours; else None."""
-        self._mark: tuple[int, int] | None = None
-        """The ticket of the mark under way, and how many writes had gone out with it."""
-        self._writes = 0
+        self._mark: int | None = None
+        """The ticket of the mark under way, until anything is written after it."""
         self.stray_bytes = 0
         self.seen = bytearray()
         """What arrived since the last line was sent, up to `KEPT` bytes."""
@@ -74,17 +74,12 @@ class Wire:
     @property
     def owed(self) -> int:
         """How many lines still lack their prompt."""
-        return self._codec.owed
-
-    @property
-    def codec(self) -> Codec:
-        """What reads the stream; for looking at, and for `learn`."""
-        return self._codec
+        return self.codec.owed
 
     def learn(self, token: str) -> None:
         """Know a prompt token from now on."""
         with self._lock:
-            self._note(self._codec.learn(token))
+            self._note(self.codec.learn(token))
 
     def send(self, line: str, takes_s: float = 0.0, permit: Callable[[], None] | None = None) -> int:
         """Write one line at once and return the ticket of its reply.
@@ -97,7 +92,7 @@ class Wire:
                 permit()
             now = self.clock.monotonic()
             self.seen.clear()
-            if self.dialect.may_leave(line):
+            if self.dialect.leaving.search(line):
                 self.doubt(now + takes_s + 2 * self.delay_s)
                 self._hazard_doubt = self.doubt_until
             return self._write([line], now, takes_s)[0]
@@ -107,15 +102,14 @@ class Wire:
         with self._lock:
             now = self.clock.monotonic()
             self.seen.clear()
-            ticket = self._codec.expect_mark()
+            ticket = self._mark = self.codec.expect_mark()
             self._sent_at[ticket] = self.last_sent = now
             self.busy_until = max(self.busy_until, now)
             try:
-                self._put(MARK.encode("ascii") + self.dialect.line_end)
+                self.link.write(MARK.encode("ascii") + self.dialect.line_end)
             except BaseException:
                 self.forget(ticket)
                 raise
-            self._mark = ticket, self._writes
             return ticket
 
     def interject(self, lines: Sequence[str]) -> None:
@@ -130,7 +124,8 @@ class Wire:
         with self._lock:
             self.last_sent = self.busy_until = self.clock.monotonic()
             self.doubt(self.last_sent + 2 * self.delay_s)
-            self._put(self.dialect.line_end)
+            self._mark = None
+            self.link.write(self.dialect.line_end)
 
     def trust_left(self, before: float | None) -> None:
         """Take back the doubt that a `q` brought, once the menu that it leads to has shown; any other doubt stays."""
@@ -147,22 +142,18 @@ class Wire:
         return max(through, self.busy_until + 2 * delay)
 
     def _write(self, lines: Sequence[str], now: float, takes_s: float) -> list[int]:
-        tickets = [self._codec.expect(line) for line in lines]
+        tickets = [self.codec.expect(line) for line in lines]
         self._sent_at.update(dict.fromkeys(tickets, now))
         self.last_sent = now
         self.busy_until = max(self.busy_until, now + takes_s)
-        end = self.dialect.line_end
+        self._mark, end = None, self.dialect.line_end
         try:
-            self._put(b"".join(line.encode("ascii") + end for line in lines))
+            self.link.write(b"".join(line.encode("ascii") + end for line in lines))
         except BaseException:
             for ticket in tickets:
                 self.forget(ticket)
             raise
         return tickets
-
-    def _put(self, data: bytes) -> None:
-        self._writes += 1
-        self.link.write(data)
 
     def taken(self, ticket: int) -> Reply | None:
         """Return the reply to `ticket` once, when it is there."""
@@ -171,7 +162,7 @@ class Wire:
     def interjected(self) -> tuple[bool, tuple[Reply, ...]]:
         """Return whether interjected lines still wait for their prompts, and the replies that came."""
         with self._lock:
-            waiting = any(self._codec.owes(ticket) for ticket in self._interjected)
+            waiting = any(self.codec.owes(ticket) for ticket in self._interjected)
             came = tuple(self._replies[ticket] for ticket in self._interjected if ticket in self._replies)
             return waiting, came
 
@@ -189,21 +180,21 @@ class Wire:
         with self._lock:
             if self.lost:
                 return math.inf
-            sent = [at for ticket, at in self._sent_at.items() if self._codec.owes(ticket)]
+            sent = [at for ticket, at in self._sent_at.items() if self.codec.owes(ticket)]
             return self.clock.monotonic() - min(sent) if sent else 0.0
 
     def excuse(self, ticket: int) -> None:
         """Wait no longer for a reply that may come yet, or be taken for lost once a later line is echoed."""
         with self._lock:
-            self._codec.excuse(ticket)
+            self.codec.excuse(ticket)
             self.doubt(self.last_sent + 2 * self.delay_s)
 
     def forget(self, ticket: int) -> None:
         """Give up on a reply: the stream is in doubt for as long as it, or its cause, may be under way."""
         with self._lock:
-            if not self._codec.owes(ticket):
+            if not self.codec.owes(ticket):
                 return
-            self._codec.forget(ticket)
+            self.codec.forget(ticket)
             self._sent_at.pop(ticket, None)
             self.lost = True
             self.doubt(max(self.busy_until, self.last_sent) + 2 * self.delay_s)
@@ -211,7 +202,7 @@ class Wire:
     def forget_all(self) -> None:
         """Give up on every reply, when all that was sent has had its time."""
         with self._lock:
-            self._codec.forget_all()
+            self.codec.forget_all()
             self._sent_at.clear()
 
     def doubt(self, until: float) -> None:
@@ -236,10 +227,10 @@ class Wire:
         with self._lock:
             self.last_received = self.clock.monotonic()
             self.seen += data[: max(0, KEPT - len(self.seen))]
-            noise = self._codec.noise
-            events = self._codec.feed(data)
-            if self._codec.noise > noise:
-                self.stray_bytes += self._codec.noise - noise
+            noise = self.codec.noise
+            events = self.codec.feed(data)
+            if self.codec.noise > noise:
+                self.stray_bytes += self.codec.noise - noise
                 self.doubt(self.last_received + 2 * self.delay_s)
             self._note(events)
         self.on_bytes(data)
@@ -248,7 +239,7 @@ class Wire:
     def idle(self, ticket: int = 0, on_line: LineSink | None = None) -> None:
         """Let the codec know that a deadline passed with nothing arriving."""
         with self._lock:
-            events = self._codec.idle()
+            events = self.codec.idle()
             self._note(events)
         tell(events, ticket, on_line, self._on_line)
 
@@ -260,13 +251,13 @@ class Wire:
                     sent = self._sent_at.pop(event.ticket, now)
                     if self.doubt_until is not None and sent >= self.doubt_until:
                         self.doubt_until = None
-                    if self._mark == (event.ticket, self._writes):
+                    if self._mark == event.ticket:
                         # Nothing went out since: the wire keeps the order, so nothing else is under way.
                         early = self._beginning is not None and sent < self._beginning
                         self.doubt_until = self._beginning if early else None
                     if event.ticket not in self._interjected:
                         self.lost = False
-                    if not self._codec.owed:
+                    if not self.codec.owed:
                         self.busy_until = self.last_sent
                     self._replies[event.ticket] = self._placed(event)
                 case StrayPrompt():

@@ -36,7 +36,8 @@ class Link:
 
     def pending(self) -> bool:
         """Return whether `read` has something to say, be it that the port is gone."""
-        self._check_open()
+        if self._closed:
+            raise self._shut()
         try:
             return self._port.pending()
         except OSError as error:
@@ -48,7 +49,8 @@ class Link:
 
     def read(self) -> bytes:
         """Return all bytes that have arrived; LinkError (``lost``) once the port is gone."""
-        self._check_open()
+        if self._closed:
+            raise self._shut()
         try:
             data = self._port.read()
         except OSError as error:
@@ -60,7 +62,8 @@ class Link:
     def write(self, data: bytes) -> None:
         """Send all of `data`, unmixed with another thread's; LinkError (``lost`` or ``failed``) if it can't leave."""
         with self._writing:
-            self._check_open()
+            if self._closed:
+                raise self._shut()
             try:
                 self._port.write(data)
             except OSError as error:
@@ -75,7 +78,8 @@ class Link:
 
     def discard(self) -> None:
         """Throw away output that has not left and input that was not read."""
-        self._check_open()
+        if self._closed:
+            raise self._shut()
         try:
             self._port.discard()
         except OSError as error:
@@ -90,9 +94,8 @@ class Link:
             self._port.close()
         self.remark(f"closed {self.name}")
 
-    def _check_open(self) -> None:
-        if self._closed:
-            raise LinkError(f"{self.name} was closed by this program; connect again to use it.", reason=Reason.LOST)
+    def _shut(self) -> LinkError:
+        return LinkError(f"{self.name} was closed by this program; connect again to use it.", reason=Reason.LOST)
 
     def _lost(self, error: OSError) -> LinkError:
         self.remark(f"lost {self.name}: {error}")
