@@ -240,6 +240,10 @@ class FirmwareProtocol(ABC):
         """Return what ends a silent slew at once; empty on a firmware without one."""
         return ()
 
+    def halt_lines(self) -> tuple[str, ...]:
+        """Return what brings every axis to rest where it is; empty on a firmware without a command for that."""
+        return ()
+
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002
         """Send all axes at once in the way that any byte aborts; returns as soon as it is sent.
 

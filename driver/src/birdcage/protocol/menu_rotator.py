@@ -197,7 +197,7 @@ class MenuRotator:
             case StopBy.KNOCK:
                 lines = ("",)
             case StopBy.COMMAND:
-                raise ValueError("no console with menus here has a command that stops it")
+                lines = protocol.halt_lines()
         protocol.interject(lines)
 
     def settle(self, within_s: float) -> tuple[CommandRefused | None, ...]:

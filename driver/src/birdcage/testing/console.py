@@ -27,6 +27,10 @@ class RawConsoleContract:
             if scene is None:
                 stage.refused(Raw("anything", CONSOLE, Grade.RUINS), CommandRefused)
                 return
+            grade = stage.station.judge(scene.ask).grade
+            require(
+                grade is Grade.HARMLESS, f"{scene.ask!r} counts as {grade.name}: `hazards` needs a harmless row for it"
+            )
             reply = stage.do(Raw(scene.ask, CONSOLE), 60.0)
             said = "\n".join(reply.lines)
             require(scene.answer in said, f"{scene.ask!r} was answered {said!r}, without {scene.answer!r}")

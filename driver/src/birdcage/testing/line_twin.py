@@ -14,9 +14,12 @@ from birdcage.testing.twin import Twin
 
 
 class LineTwin(Twin):
-    """What is left to write are `hear`, `truth` and `taken`. `line_end` ends the lines of both sides."""
+    """What is left to write are `hear`, `truth` and `taken`."""
 
     line_end = b"\n"
+    """Ends the lines of both sides."""
+    answer_end: bytes | None = None
+    """Ends its answers, where that is not `line_end`: nothing (`b""`) on a console, whose prompt is their last word."""
     latency_s = 0.01
     """How long an answer is on its way."""
 
@@ -103,12 +106,13 @@ class _TwinLine:
     def write(self, data: bytes) -> None:
         """Have the machine hear each line that is whole."""
         self._check()
-        end = self._twin.line_end
-        *lines, self._begun = (self._begun + data).split(end)
+        twin = self._twin
+        end = twin.line_end if twin.answer_end is None else twin.answer_end
+        *lines, self._begun = (self._begun + data).split(twin.line_end)
         for line in lines:
-            answer = self._twin.answer(line.decode("ascii"))
+            answer = twin.answer(line.decode("ascii"))
             if answer is not None:
-                self._coming.append((self._twin.clock.monotonic() + self._twin.latency_s, answer.encode("ascii") + end))
+                self._coming.append((twin.clock.monotonic() + twin.latency_s, answer.encode("ascii") + end))
 
     def discard(self) -> None:
         """Lose what is on its way."""
