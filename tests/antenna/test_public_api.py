@@ -172,7 +172,7 @@ def test_signal_and_lna(rig):
     assert 390 < reading.average < 600
     rig.wait(10)
     rig.protocol.quit_submenu()
-    assert rig.protocol.console.menu == "root"
+    assert rig.protocol.console.place == "root"
 
 
 def test_tv_search_is_switched_off_by_nvs_20_and_back():
@@ -207,7 +207,7 @@ def test_initialize_waits_for_a_boot_and_tells():
     lines = []
     rig.protocol.initialize(lines.append)
     assert any("no prompt yet" in line for line in lines)
-    assert rig.protocol.console.menu == "mot"
+    assert rig.protocol.console.place == "mot"
 
 
 def test_a_stop_that_the_dish_refuses_is_not_reported_as_done():

@@ -34,7 +34,7 @@ def calm(console, clock):
     console.synchronize()
     clock.advance(2 * D)
     console.synchronize()
-    assert console.in_step
+    assert console.is_settled
 
 
 def test_the_root_is_found_in_less_than_a_second(console, dish, clock):
@@ -59,7 +59,7 @@ def test_menus_are_entered_left_and_entered_again(console, dish, clock):
     calm(console, clock)
     for menu in ("mot", "dvb", "nvs", "mot", "root", "dvb"):
         console.enter(menu)
-        assert (dish.menu, console.menu) == (menu, menu)
+        assert (dish.menu, console.place) == (menu, menu)
     assert dish.alive
 
 
@@ -75,7 +75,7 @@ def test_a_dish_that_was_left_in_a_submenu_is_brought_to_the_root(console, dish)
     dish.menu = "nvs"
     assert console.synchronize() not in scripted.MENUS
     console.enter("mot")
-    assert (dish.menu, console.menu, dish.alive) == ("mot", "mot", True)
+    assert (dish.menu, console.place, dish.alive) == ("mot", "mot", True)
 
 
 @pytest.mark.parametrize("line", ["q", "freqs", "q 3"])
@@ -101,7 +101,7 @@ def test_an_unasked_line_leaves_the_menu_in_doubt(console, dish, clock):
     console.enter("mot")
     dish.say("HAL 2.05.003\r\n")
     console.listen(clock.monotonic() + 0.1)
-    assert console.menu is None
+    assert console.place is None
     before = len(lines(dish))
     assert console.run("mot", "a").menu == "mot"
     assert lines(dish)[before:] == ["?", "a"]

@@ -38,7 +38,7 @@ def calm(console, clock):
     console.synchronize()
     clock.advance(2 * D)
     console.synchronize()
-    assert console.in_step
+    assert console.is_settled
     return console
 
 
@@ -49,7 +49,7 @@ def menus_of(dish):
 
 def test_a_menu_within_a_menu_is_entered_step_by_step(calm, dish):
     calm.enter("mot")
-    assert (dish.menu, calm.menu) == ("mot", "mot")
+    assert (dish.menu, calm.place) == ("mot", "mot")
     assert menus_of(dish) == [("root", "odu"), ("odu", "mot")]
     assert calm.run("mot", "a").lines == ("Angle[0] = 180.00", "Angle[1] = 45.00")
 
@@ -58,7 +58,7 @@ def test_it_is_left_step_by_step_and_never_beyond_the_root(calm, dish):
     calm.enter("mot")
     before = len(menus_of(dish))
     calm.leave()
-    assert (dish.menu, calm.menu, dish.alive) == ("root", "root", True)
+    assert (dish.menu, calm.place, dish.alive) == ("root", "root", True)
     assert menus_of(dish)[before:] == [("mot", "q"), ("odu", "q")]
     calm.leave()
     assert menus_of(dish)[before + 2 :] == []
@@ -75,10 +75,10 @@ def test_the_menu_that_both_share_is_not_left(calm, dish):
     calm.enter("mot")
     before = len(menus_of(dish))
     calm.enter("nvs")
-    assert (dish.menu, calm.menu) == ("nvs", "nvs")
+    assert (dish.menu, calm.place) == ("nvs", "nvs")
     assert menus_of(dish)[before:] == [("mot", "q"), ("odu", "nvs")]
     calm.enter("odu")
-    assert (dish.menu, calm.menu) == ("odu", "odu")
+    assert (dish.menu, calm.place) == ("odu", "odu")
     assert menus_of(dish)[before + 2 :] == [("nvs", "q")]
 
 
@@ -88,7 +88,7 @@ def test_going_round_takes_no_wait(calm, dish, clock):
     began = clock.monotonic()
     for menu in ("mot", "nvs", "odu", "mot", "root", "nvs", "root"):
         calm.enter(menu)
-        assert (dish.menu, calm.menu) == (menu, menu)
+        assert (dish.menu, calm.place) == (menu, menu)
     assert clock.monotonic() == began
 
 
@@ -97,9 +97,9 @@ def test_a_dish_that_was_left_in_a_submenu_is_found_there_and_brought_back(conso
     dish.menu = menu
     assert console.synchronize() != "root"
     console.enter("root")
-    assert (dish.menu, console.menu, dish.alive) == ("root", "root", True)
+    assert (dish.menu, console.place, dish.alive) == ("root", "root", True)
     console.enter("mot")
-    assert (dish.menu, console.menu) == ("mot", "mot")
+    assert (dish.menu, console.place) == ("mot", "mot")
 
 
 def test_a_way_in_that_is_lost_is_noticed(calm, dish):
@@ -111,7 +111,7 @@ def test_a_way_in_that_is_lost_is_noticed(calm, dish):
     assert dish.menu == "odu"
     dish._line = went
     calm.enter("mot")
-    assert (dish.menu, calm.menu, dish.alive) == ("mot", "mot", True)
+    assert (dish.menu, calm.place, dish.alive) == ("mot", "mot", True)
 
 
 def test_a_reboot_in_between_ends_no_shell(calm, dish):

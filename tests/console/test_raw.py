@@ -19,7 +19,7 @@ def at(console, clock):
         console.enter(menu)
         clock.advance(2 * D)
         console.synchronize()
-        assert console.in_step
+        assert console.is_settled
         return console
 
     return go

@@ -25,7 +25,7 @@ def calm(console, clock):
     console.synchronize()
     clock.advance(2 * D)
     console.synchronize()
-    assert console.in_step
+    assert console.is_settled
 
 
 def test_one_command_is_one_line_on_the_wire(console, dish):
@@ -43,7 +43,7 @@ def test_help_is_read_whole(console):
         "Enter <mot> - Motor>",
         "a > b",
     )
-    assert console.menu == "mot"
+    assert console.place == "mot"
 
 
 def test_in_step_a_menu_is_left_at_once_and_only_after_looking(console, dish, clock):
@@ -53,7 +53,7 @@ def test_in_step_a_menu_is_left_at_once_and_only_after_looking(console, dish, cl
     console.enter("dvb")
     assert lines(dish)[before:] == ["", "q", "dvb"]
     assert clock.monotonic() == pytest.approx(began)
-    assert console.in_step
+    assert console.is_settled
 
 
 def test_nothing_is_sent_to_leave_the_root(console, dish):
@@ -185,7 +185,7 @@ def test_a_q_without_an_answer_is_accounted_for_before_another(console, dish, cl
         console.leave()
     dish.out_fault = on_time
     console.leave()
-    assert console.menu == "root"
+    assert console.place == "root"
     assert lines(dish).count("q") == 1
     assert dish.alive
 

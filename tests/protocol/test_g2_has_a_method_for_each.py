@@ -49,7 +49,7 @@ def test_each_harmless_command_is_sent_by_some_method(simulated, monkeypatch):
         return run(console, menu, command, **how)
 
     def note_stream(console, command, *how):
-        sent.add((console.menu, command))
+        sent.add((console.place, command))
         return stream(console, command, *how)
 
     monkeypatch.setattr(Console, "run", note_run)

@@ -85,7 +85,7 @@ def test_the_q_of_t_g2_move_goes_out_once_an_enter_has_shown_the_submenu(play, c
     clock.advance(5.0)
     g2.reset_to_root()
     assert port.written == b"\rmot\r" + mark + b"\rq\r"
-    assert g2.console.menu == "root"
+    assert g2.console.place == "root"
 
 
 @LINE_ENDS

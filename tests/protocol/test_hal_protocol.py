@@ -59,7 +59,7 @@ def test_every_start_ends_in_the_motor_menu_with_no_search(prompts, start, most_
     rig = Rig(f"{prompts}&{start}")
     rig.dish.initialize(rig.told.append)
     assert rig.elapsed_s < most_s
-    assert rig.dish.console.menu == "motor"
+    assert rig.dish.console.place == "motor"
     rig.clock.advance(5.0)
     still = rig.dish.get_position()
     rig.clock.advance(60.0)

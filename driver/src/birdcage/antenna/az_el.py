@@ -32,6 +32,7 @@ class AzEl:
 
     def __init__(self, rotator: Rotator, gate: MotionGate) -> None:
         self._rotator, self._gate = rotator, gate
+        self._clock: Clock | None = None
         self.most_missed_deg = MOST_MISSED_DEG
         """By how much a machine with a mapping may miss a direction that it is sent to."""
 
@@ -54,8 +55,8 @@ class AzEl:
 
     @property
     def clock(self) -> Clock:
-        """See `Rotator`."""
-        return self._rotator.clock
+        """See `Rotator`. The one that the line was opened with, as long as it is open."""
+        return self._rotator.clock if self._clock is None else self._clock
 
     @property
     def line(self) -> LineStatus:
@@ -65,6 +66,12 @@ class AzEl:
     def open(self, address: str, baud: int | None, clock: Clock, hooks: Hooks) -> None:
         """See `Rotator`."""
         self._rotator.open(address, baud, clock, hooks)
+        self._clock = clock
+
+    def close(self, within_s: float) -> None:
+        """See `Rotator`."""
+        self._clock = None
+        self._rotator.close(within_s)
 
     def stop_now(self, order: StopOrder) -> None:
         """See `Rotator`. Any thread."""
@@ -123,15 +130,12 @@ class AzEl:
         """See `Rotator`."""
         mapped = self._rotator.facts.mapping is not None  # then all of its own axes are homed, for the azimuth
         own = [axis.name for axis in self._rotator.facts.axes if mapped and motor == MOTOR_AZIMUTH]
-        for name in own if mapped else [self._name(motor)]:
+        for name in own if mapped else [self._rotator.facts.numbered[motor].name]:
             self._rotator.home(name)
 
     def by_number(self, values: Mapping[str, float]) -> dict[int, float]:
         """Return what the machine tells of its axes."""
         return {self._rotator.facts.named[name].index: value for name, value in values.items()}
-
-    def _name(self, motor: int) -> str:
-        return self._rotator.facts.numbered[motor].name
 
     def nearest(self, az_deg: float, el_deg: float) -> tuple[tuple[float, float], float]:
         """Return the direction that it can point to nearest to one, and by how many degrees on the sky it misses that.
@@ -165,14 +169,13 @@ class AzEl:
         return nearest
 
     def _named(self, to: Mapping[int, float]) -> Mapping[str, float]:
-        mapping = self._rotator.facts.mapping
-        if mapping is not None:
-            return mapping.to_axes(to[MOTOR_AZIMUTH], to[MOTOR_ELEVATION])[0]
-        turn = self._rotator.facts.azimuth.turn_by is TurnBy.HOST
-        return {
-            self._name(motor): self._on_cable(deg) if turn and motor == MOTOR_AZIMUTH else deg
-            for motor, deg in to.items()
-        }
+        facts = self._rotator.facts
+        if facts.mapping is not None:
+            return facts.mapping.to_axes(to[MOTOR_AZIMUTH], to[MOTOR_ELEVATION])[0]
+        named = {facts.numbered[motor].name: deg for motor, deg in to.items()}
+        if facts.azimuth.turn_by is TurnBy.HOST and MOTOR_AZIMUTH in to:
+            named[facts.azimuth.name] = self._on_cable(to[MOTOR_AZIMUTH])
+        return named
 
     def _on_cable(self, deg: float) -> float:
         cable_deg, last_deg = self._gate.cable_deg, self._gate.last_cable_deg

@@ -40,7 +40,7 @@ class Exchanges:
         """Told, once a line, that the dish is still busy with what came before it."""
 
     @property
-    def in_step(self) -> bool:
+    def is_settled(self) -> bool:
         """Whether all that was sent is accounted for and nothing came unasked since the last proof."""
         wire = self._wire
         return not wire.lost and wire.doubt_until is None and not wire.owed and wire.menu is not None

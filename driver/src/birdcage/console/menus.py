@@ -165,13 +165,13 @@ class Menus:
         for _ in range(_PROOFS):
             before = self._wire.menu
             if (
-                not self._exchanges.in_step
+                not self._exchanges.is_settled
                 and not self._exchanges.account_by_mark()
                 and not self._exchanges.fall_quiet(strictly=True)
             ):
                 break
             now = self._probe()
-            if now == root or (now == before and exchanges.in_step):
+            if now == root or (now == before and exchanges.is_settled):
                 return now
         raise NoReply(
             f"The line to the dish does not go quiet, so `{self.dialect.leave}` was not sent: it could reach the "

@@ -53,7 +53,7 @@ class Console:
         self._menus = Menus(self._wire, self._exchanges, on_line)
 
     @property
-    def menu(self) -> str | None:
+    def place(self) -> str | None:
         """The menu that the last fresh prompt named; None when it is not known."""
         return self._wire.menu
 
@@ -63,9 +63,9 @@ class Console:
         return self._wire.token
 
     @property
-    def in_step(self) -> bool:
+    def is_settled(self) -> bool:
         """See `Exchanges`."""
-        return self._exchanges.in_step
+        return self._exchanges.is_settled
 
     @property
     def took_s(self) -> float:
@@ -215,7 +215,7 @@ class Console:
             return self.run(menu, command, permit=permit, judged=judged)
         self._wire.take_in()
         self._exchanges.late.collect()
-        if self._wire.lost or self.menu != menu or self._exchanges.late.owed >= MOST_LATE:
+        if self._wire.lost or self.place != menu or self._exchanges.late.owed >= MOST_LATE:
             self.enter(menu)
         if asks and self._exchanges.late.lines:
             raise NoReply(f"`{command}` was not sent: an earlier answer is still due.", reason=LATE)
@@ -252,12 +252,12 @@ class Console:
         return self._menus.leave_one()
 
     def clear_up(self) -> bool:
-        """Account at once for whatever may be under way, where the console allows it; return whether it is `in_step`.
+        """Account at once for whatever may be under way, where the console allows it; return `is_settled`.
 
         Without it a new session, or one after a fault, can leave its menu only after some seconds of quiet.
         """
         self._menus.resume()
-        return self.in_step or (self._exchanges.account_by_mark() and self.in_step)
+        return self.is_settled or (self._exchanges.account_by_mark() and self.is_settled)
 
     def leave_all(self, within_s: float = 2.0) -> bool:
         """Go back to the root if that can be done safely within `within_s`; return whether the dish is there.
@@ -267,10 +267,10 @@ class Console:
         wire = self._wire
         self._exchanges.limit = self.clock.monotonic() + within_s
         # Enter and `q` take a round trip each: what is left unanswered would answer the next program's first lines.
-        menu = self.menu or ""
+        menu = self.place or ""
         menus = len(self.dialect.path(menu)) if menu in self.dialect.prompts else self.dialect.depth
         too_slow = (1 + 2 * max(menus, 1)) * (self._exchanges.round_trip_s or 0.0) > within_s
-        if too_slow or (not self.in_step and wire.quiet_at(strictly=True) >= self._exchanges.limit):
+        if too_slow or (not self.is_settled and wire.quiet_at(strictly=True) >= self._exchanges.limit):
             self._exchanges.limit = None
             return False
         try:

@@ -196,15 +196,16 @@ class FirmwareProtocol(ABC):
                 f"The {axis.name} asked for is {degrees}, which is not an angle. Nothing was sent.",
                 reason=Reason.NOT_A_NUMBER,
             )
-        limit = min(max(degrees, axis.min_deg), axis.max_deg)
+        if axis.min_deg <= degrees <= axis.max_deg:
+            return
+        limit = axis.min_deg if degrees < axis.min_deg else axis.max_deg
         by = abs(degrees - limit)
         said = (
             f"{axis.name.capitalize()} {degrees:.2f}° is {by:.2f}° beyond the limit of {limit:.2f}°. Nothing was sent."
         )
         if degrees < limit and axis is self.model.elevation:
             raise BelowFloor(said, limit_deg=limit, by_deg=by)
-        if by > 0.0:
-            raise MotionRefused(said, reason=LIMIT_REASONS[motor_id], limit_deg=limit, by_deg=by)
+        raise MotionRefused(said, reason=LIMIT_REASONS[motor_id], limit_deg=limit, by_deg=by)
 
     def steer_motor(self, motor_id: int, degrees: float) -> Taken:
         """Send one axis to an absolute angle as `move_motor`, as one of a stream of commands that replace each other.

@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterable, Mapping
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused
 from birdcage.console.places import is_of_help
-from birdcage.console.session import Console
 from birdcage.link.link import Link
 from birdcage.protocol.firmware import FirmwareProtocol
 from birdcage.protocol.menu_raw import MenuRaw
@@ -30,57 +29,6 @@ def _dial(clock: Clock) -> Callable[[str, int], Link]:
     from birdcage.link.opening import open_link
 
     return lambda address, baud: open_link(address, baud=baud, clock=clock)
-
-
-class ConsoleLine:
-    """A `LineStatus` over an open console."""
-
-    def __init__(self, console: Console) -> None:
-        self._console = console
-
-    @property
-    def place(self) -> str | None:
-        """The menu that the last fresh prompt named."""
-        return self._console.menu
-
-    @property
-    def is_settled(self) -> bool:
-        """Whether all that was sent is accounted for."""
-        return self._console.in_step
-
-    @property
-    def last_reply(self) -> float | None:
-        """See `LineStatus`."""
-        return self._console.last_reply
-
-    @property
-    def round_trip_s(self) -> float | None:
-        """See `LineStatus`."""
-        return self._console.round_trip_s
-
-    @property
-    def took_s(self) -> float:
-        """See `LineStatus`."""
-        return self._console.took_s
-
-    @property
-    def answered(self) -> int:
-        """See `LineStatus`."""
-        return self._console.answered
-
-    @property
-    def stray_bytes(self) -> int:
-        """See `LineStatus`."""
-        return self._console.stray_bytes
-
-    @property
-    def delay_s(self) -> float:
-        """See `LineStatus`."""
-        return self._console.delay_s
-
-    def unanswered_s(self) -> float:
-        """See `LineStatus`."""
-        return self._console.unanswered_s()
 
 
 class MenuRotator:
@@ -112,12 +60,12 @@ class MenuRotator:
     @property
     def clock(self) -> Clock:
         """See `Rotator`."""
-        return self.protocol.clock
+        return self.protocol.console.clock
 
     @property
     def line(self) -> LineStatus:
         """See `Rotator`."""
-        return ConsoleLine(self.protocol.console)
+        return self.protocol.console
 
     @property
     def printed_deg(self) -> float:
