@@ -58,7 +58,7 @@ class Storm:
         self.rng, self.app, self.seed = random.Random(seed), app, seed
         self.dish = open_device(app.station.state.port.removeprefix("sim:"), clock=app.session.clock)
         # Ctrl+Q is not pressed, but the palette finds `Quit` by two letters: the storm goes on.
-        app.leave = lambda *_by: None
+        app.ending.leave = lambda *_by: None
         self.pressed, self.wrong, self.met = 0, [], Counter()
         self.last: list[str] = []
         self._before: list[str] = []

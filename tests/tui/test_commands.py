@@ -5,10 +5,11 @@ import stand_in
 from birdcage.station.requests import Jog
 from birdcage_tui.commands import COMMANDS, PAGES, for_key, in_force
 from birdcage_tui.commands.jog import STEPS_DEG
+from birdcage_tui.shell.live_context import LiveContext
 from birdcage_tui.widgets.footer import KeyBar
 from birdcage_tui.widgets.help import HelpScreen
 from birdcage_tui.widgets.jump import targets
-from stage import run
+from stage import run, run_each
 from textual.widgets import ContentSwitcher, OptionList
 
 
@@ -30,6 +31,15 @@ def test_safety_stands_first_and_jog_keys_hold_where_the_dish_is_shown():
     assert in_force(["control"])[0].name == "stop"
     assert for_key("l", ["dashboard"]).name == "right"
     assert for_key("l", ["camera"]) is None
+
+
+def test_what_a_frame_dims_is_what_its_key_is_refused_for():
+    async def judge(app, pilot):
+        view, live = app.view(), LiveContext(app.station.state, app)
+        return [(command.refused(view), command.refused(live)) for command in COMMANDS]
+
+    for judged in run_each(judge).values():
+        assert [dimmed for dimmed, _ in judged] == [refused for _, refused in judged]
 
 
 @pytest.mark.parametrize("key", ["left", "h"])

@@ -71,7 +71,7 @@ def test_at_rest_it_closes_and_gives_the_focus_back(key):
     async def close(at):
         await at.press(key)
         await at.pilot.pause()
-        return at.app.stage.sheet.is_open, at.app.focused, at.app.scopes()[0].scope
+        return at.app.stage.sheet.is_open, at.app.focused, at.app.stage.scopes()[0].scope
 
     assert desk(close) == (False, None, "dashboard")
 

@@ -55,7 +55,7 @@ def plain_keys(app):
 
     Those that hold everywhere are tried on the dashboard.
     """
-    scopes = [scope.scope for scope in app.scopes()]
+    scopes = [scope.scope for scope in app.stage.scopes()]
     keys = [key for command in in_force(scopes) for key in command.keys
             if for_key(key, scopes) is command and (command.where or "dashboard" in scopes)]  # fmt: skip
     if app.page.scope == "setup":
@@ -113,7 +113,7 @@ class Watched:
     def there(self):
         """What has to be the same for the next key to be pressed in the same place."""
         app = self.app
-        return [scope.scope for scope in app.scopes()], len(app.screen_stack), type(app.focused)
+        return [scope.scope for scope in app.stage.scopes()], len(app.screen_stack), type(app.focused)
 
 
 @pytest.mark.parametrize("place", PLACES)

@@ -32,6 +32,12 @@ KEYS: dict[str, bool] = {
 """Every key that any command has, and whether it is taken before the focused widget sees it."""
 
 
+_BY_KEY: dict[tuple[str, str | None], Command] = {
+    (key, scope): command for command in COMMANDS for key in command.keys for scope in command.where or (None,)
+}
+"""What each key does in a scope; None: in every scope that gives the key no meaning of its own."""
+
+
 def _rank(command: Command, scopes: Sequence[str]) -> int | None:
     """Return how near the command is to what has the focus; None when it is not in force there."""
     if not command.where:
@@ -41,9 +47,11 @@ def _rank(command: Command, scopes: Sequence[str]) -> int | None:
 
 def for_key(key: str, scopes: Sequence[str]) -> Command | None:
     """Return what a key does in these scopes, innermost first; None when it does nothing there."""
-    found = [(rank, command) for command in COMMANDS if key in command.keys
-             and (rank := _rank(command, scopes)) is not None]  # fmt: skip
-    return min(found, key=lambda pair: pair[0])[1] if found else None
+    for scope in (*scopes, None):
+        command = _BY_KEY.get((key, scope))
+        if command is not None:
+            return command
+    return None
 
 
 def in_force(scopes: Sequence[str]) -> tuple[Command, ...]:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.geometry import shortest_turn
 
 from birdcage_tui.commands.table import Command, Reason, always
-from birdcage_tui.shown.allowed import can_move, can_release
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext, can_move, can_release
 
 if TYPE_CHECKING:
     from birdcage.calibration.guide import GuideView
@@ -19,50 +18,50 @@ SAME_DEG = 0.02
 """Less than the smallest step of these gears: it has not been moved since."""
 
 
-def can_calibrate(view: View) -> str | None:
+def can_calibrate(context: CommandContext) -> str | None:
     """Return why nothing can be calibrated."""
-    now = view.calibrate
+    now = context.calibrate
     if now is None or now.guide is None:
         return (now.wrong if now is not None else "") or "The calibration is still opening."
     return None
 
 
-def can_select(view: View) -> str | None:
+def can_select(context: CommandContext) -> str | None:
     """Return why there is no next object to select."""
-    now = view.calibrate
+    now = context.calibrate
     if now is not None and now.guide is not None and not now.guide.proposals:
         return now.wrong or "This dish can hear nothing that is in reach now."
-    return can_calibrate(view)
+    return can_calibrate(context)
 
 
-def can_return(view: View) -> str | None:
+def can_return(context: CommandContext) -> str | None:
     """Return why the current object cannot be selected."""
-    now = view.calibrate
+    now = context.calibrate
     if now is not None and now.guide is not None and not now.guide.target:
         return "No object yet. n: select the next best one."
-    return can_calibrate(view)
+    return can_calibrate(context)
 
 
-def can_go(view: View) -> str | None:
+def can_go(context: CommandContext) -> str | None:
     """Return why the dish cannot be sent to an object."""
-    now = view.calibrate
+    now = context.calibrate
     if now is not None and now.guide is not None and not (now.guide.proposals or now.guide.target):
         return now.wrong or "This dish can hear nothing that is in reach now."
-    return can_calibrate(view) or can_move(view)
+    return can_calibrate(context) or can_move(context)
 
 
-def can_nudge(view: View) -> str | None:
+def can_nudge(context: CommandContext) -> str | None:
     """Return why the dish cannot be nudged."""
-    return can_calibrate(view) or can_move(view)
+    return can_calibrate(context) or can_move(context)
 
 
-def can_take(view: View) -> str | None:
+def can_take(context: CommandContext) -> str | None:
     """Return why no peak can be taken; while something is held, Enter releases that first, as everywhere."""
-    if can_release(view) is None:
+    if can_release(context) is None:
         return None
-    now = view.calibrate
+    now = context.calibrate
     if now is None or now.guide is None:
-        return can_calibrate(view)
+        return can_calibrate(context)
     if not now.guide.target:
         return "No object yet. n: select the next best one."
     return now.guide.may_not_take or _taken(now.guide)
@@ -79,39 +78,39 @@ def _taken(guide: GuideView) -> str | None:
     return None
 
 
-def can_apply(view: View) -> str | None:
+def can_apply(context: CommandContext) -> str | None:
     """Return why there is nothing to keep."""
-    now = view.calibrate
+    now = context.calibrate
     if now is not None and now.guide is not None and now.guide.fit is None:
         return "No peaks yet."
-    return can_calibrate(view)
+    return can_calibrate(context)
 
 
-def can_forget(view: View) -> str | None:
+def can_forget(context: CommandContext) -> str | None:
     """Return why there is nothing to forget."""
-    now = view.calibrate
+    now = context.calibrate
     if now is not None and now.guide is not None and not now.guide.peaks:
         return "No peaks yet."
-    return can_calibrate(view)
+    return can_calibrate(context)
 
 
-def can_undo(view: View) -> str | None:
+def can_undo(context: CommandContext) -> str | None:
     """Return why nothing can be brought back."""
-    now = view.calibrate
-    return can_calibrate(view) or (None if now is not None and now.removed else "No deleted peaks.")
+    now = context.calibrate
+    return can_calibrate(context) or (None if now is not None and now.removed else "No deleted peaks.")
 
 
-def can_use(view: View) -> str | None:
+def can_use(context: CommandContext) -> str | None:
     """Return why no kept set can be put into force; while something is held, Enter releases that first."""
-    if can_release(view) is None:
+    if can_release(context) is None:
         return None
-    now = view.calibrate
-    return can_calibrate(view) or (None if now is not None and now.sets else "No saved sets. a: save one.")
+    now = context.calibrate
+    return can_calibrate(context) or (None if now is not None and now.sets else "No saved sets. a: save one.")
 
 
-def can_go_or_release(view: View) -> str | None:
+def can_go_or_release(context: CommandContext) -> str | None:
     """Return why Enter on an object does nothing; while something is held, it releases that first."""
-    return None if can_release(view) is None else can_go(view)
+    return None if can_release(context) is None else can_go(context)
 
 
 def _at(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, group: str = "Calibrate",

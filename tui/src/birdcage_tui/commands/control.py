@@ -3,55 +3,56 @@
 from __future__ import annotations
 
 from birdcage.base.config import feed_label
+from birdcage.station.state import LinkPhase
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import can_move, can_release
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext, can_move, can_release
 
 PAGE, HERE = "control", ("control",)
 DIGITS, PRESETS = ("digits",), ("presets",)
 
 
-def can_power(view: View) -> str | None:
+def can_power(context: CommandContext) -> str | None:
     """Return why the motors' current cannot be switched now. STOP's hold is no reason: it moves nothing."""
-    dish = view.state.dish
-    if not view.link_up:
+    state, dish = context.state, context.state.dish
+    if state.link.state is not LinkPhase.UP:
         return "The dish does not answer."
     if dish is not None and not dish.has_motor_power:
         return f"The {dish.name} has no motor current command."
     return None
 
 
-def can_engage(view: View) -> str | None:
+def can_engage(context: CommandContext) -> str | None:
     """Return why the current cannot be put on now: the dish may jerk, so that is a motion."""
-    if view.link_up and view.state.held is not None:
+    state = context.state
+    if state.link.state is LinkPhase.UP and state.held is not None:
         return "STOP is latched. Enter releases it."
-    return can_power(view)
+    return can_power(context)
 
 
-def can_stow(view: View) -> str | None:
+def can_stow(context: CommandContext) -> str | None:
     """Return why the dish cannot be folded flat now."""
-    state = view.state
-    if not view.link_up or state.dish is None:
+    state = context.state
+    if state.link.state is not LinkPhase.UP or state.dish is None:
         return "The dish does not answer."
     if not state.dish.has_stow:
         return f"The {state.dish.name} has no stow."
     if not state.stow_allowed:
         return f"Stow is locked by the feed {feed_label(state.feed_name) or 'in use'}."
-    return can_move(view)
+    return can_move(context)
 
 
-def can_set_speed(view: View) -> str | None:
+def can_set_speed(context: CommandContext) -> str | None:
     """Return why no speed can be set."""
-    dish = view.state.dish
-    if not view.link_up or dish is None:
+    state, dish = context.state, context.state.dish
+    if state.link.state is not LinkPhase.UP or dish is None:
         return "The dish does not answer."
     return None if dish.has_speeds else "This dish has no speed setting."
 
 
-def can_go(view: View) -> str | None:
+def can_go(context: CommandContext) -> str | None:
     """Return why Enter on a preset does nothing; while something is held, it releases that first, as everywhere."""
-    return None if can_release(view) is None else can_move(view)
+    return None if can_release(context) is None else can_move(context)
 
 
 CONTROL = (

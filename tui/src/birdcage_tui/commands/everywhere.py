@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from birdcage.station.known import SearchSwitch
-from birdcage.station.state import TvSearch
+from birdcage.station.state import LinkPhase, TvSearch
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import can_home, can_release
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext, can_home, can_release
 
 
-def can_end_search(view: View) -> str | None:
+def can_end_search(context: CommandContext) -> str | None:
     """Return why the TV search cannot be ended here and now."""
-    dish, search = view.state.dish, view.state.search
-    if not view.link_up or dish is None:
+    state, dish = context.state, context.state.dish
+    if state.link.state is not LinkPhase.UP or dish is None:
         return "The dish does not answer."
     if dish.search_switch is SearchSwitch.NEVER_SEARCHES:
         return "This dish has no TV search."
@@ -21,7 +20,7 @@ def can_end_search(view: View) -> str | None:
         return "No command is known that ends this dish's TV search. Wait until it rests."
     if dish.search_switch is not SearchSwitch.UNTIL_POWER_UP:
         return "This dish's TV search is switched off by a setting: Setup (8), step 3."
-    if search is TvSearch.OFF_UNTIL_POWER_UP:
+    if state.search is TvSearch.OFF_UNTIL_POWER_UP:
         return "The search has ended. It starts again at the next power-up."
     return None
 

@@ -2,46 +2,49 @@
 
 from __future__ import annotations
 
+from birdcage.station.state import LinkPhase
+
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.view import STALE_S, View
+from birdcage_tui.shown.allowed import CommandContext
+from birdcage_tui.shown.view import STALE_S, is_moving
 
 HERE = ("control",)
 
 
-def can_keep(view: View) -> str | None:
+def can_keep(context: CommandContext) -> str | None:
     """Return why no horizon can be kept."""
-    return view.horizon.problem or None
+    return context.horizon.problem or None
 
 
-def can_mark(view: View) -> str | None:
+def can_mark(context: CommandContext) -> str | None:
     """Return why where the dish points is no point of the horizon now: only what was just read at rest is one."""
-    state, position = view.state, view.state.position
-    if view.horizon.problem:
-        return view.horizon.problem
-    if not view.link_up:
+    state, position = context.state, context.state.position
+    if context.horizon.problem:
+        return context.horizon.problem
+    if state.link.state is not LinkPhase.UP:
         return "The dish does not answer, so its position is unknown."
     if position is None or state.homed is False:
         return "The dish position is unknown, so no horizon point was added."
     if position.modelled:
         return "The position is only modelled. Wait for the end of this motion."
-    if view.moving or view.asked or state.raw_motion:
+    if is_moving(state) or context.asked or state.raw_motion:
         return "The dish is moving or may move. Wait until it rests."
-    age_s = view.position_age_s
-    if age_s is None or age_s > STALE_S:
-        return f"The position is {age_s or 0.0:.0f} s old. Wait for a new reading."
+    age_s = context.now - position.told_at
+    if age_s > STALE_S:
+        return f"The position is {age_s:.0f} s old. Wait for a new reading."
     if abs(position.el_deg) > 90.0:
         return f"Elevation {position.el_deg:.2f}° is beyond the zenith. Point the dish at the horizon."
     return None
 
 
-def can_undo(view: View) -> str | None:
+def can_undo(context: CommandContext) -> str | None:
     """Return why nothing of the horizon can be taken back."""
-    return None if view.horizon.undo else "No horizon changes to undo."
+    return None if context.horizon.undo else "No horizon changes to undo."
 
 
-def can_clear(view: View) -> str | None:
+def can_clear(context: CommandContext) -> str | None:
     """Return why there is nothing to clear."""
-    return view.horizon.problem or (None if view.horizon.mask else "The horizon is already flat.")
+    return context.horizon.problem or (None if context.horizon.mask else "The horizon is already flat.")
 
 
 HORIZON = (

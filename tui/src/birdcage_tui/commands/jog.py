@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import can_step
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext, can_step
 
 WHERE = ("dashboard", "control", "pocket")
 STEPPED = (*WHERE, "calibrate")
@@ -17,12 +16,12 @@ SKEW_DIRECTIONS = {"skew-down": -1.0, "skew-up": 1.0}
 """The same of the skew."""
 
 
-def can_turn_skew(view: View) -> str | None:
+def can_turn_skew(context: CommandContext) -> str | None:
     """Return why the skew cannot be turned now, or not at all."""
-    dish = view.state.dish
+    dish = context.state.dish
     if dish is not None and dish.skew is None:
         return f"The {dish.name} has no skew axis."
-    return can_step(view)
+    return can_step(context)
 
 
 JOG = (

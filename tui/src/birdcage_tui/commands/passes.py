@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext
 
 HERE = ("passes",)
 
 
-def can_choose(view: View) -> str | None:
+def can_choose(context: CommandContext) -> str | None:
     """Return why there is no pass to do something with."""
-    if view.sky is None or not view.sky.rows:
+    if context.sky is None or not context.sky.rows:
         return "No passes yet."
     return None
 
 
-def can_hear(view: View) -> str | None:
+def can_hear(context: CommandContext) -> str | None:
     """Return why what the feed hears is unknown."""
-    if view.sky is None or not view.sky.rows:
+    if context.sky is None or not context.sky.rows:
         return "No passes yet."
-    return None if view.sky.feed else "The feed has no band. Set freq_min_hz and freq_max_hz in birdcage.toml."
+    return None if context.sky.feed else "The feed has no band. Set freq_min_hz and freq_max_hz in birdcage.toml."
 
 
 def _pass(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "",

@@ -3,31 +3,30 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import can_release
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext, can_release
 
 PAGE, LIST = "pocket", ("pocket-passes",)
 
 
-def can_list(view: View) -> str | None:
+def can_list(context: CommandContext) -> str | None:
     """Return why there is no list: larger pages have one of their own."""
-    return None if PAGE in view.scopes else "Only below 80x24. Larger: Passes (7)."
+    return None if PAGE in context.scopes else "Only below 80x24. Larger: Passes (7)."
 
 
-def can_walk(view: View) -> str | None:
+def can_walk(context: CommandContext) -> str | None:
     """Return why the list cannot be walked."""
-    return can_list(view) or (None if LIST[0] in view.scopes else "f lists the passes first.")
+    return can_list(context) or (None if LIST[0] in context.scopes else "f lists the passes first.")
 
 
-def can_pick(view: View) -> str | None:
+def can_pick(context: CommandContext) -> str | None:
     """Return why no pass can be picked; while something is held, Enter releases that first, as everywhere."""
-    if (reason := can_walk(view)) is not None:
+    if (reason := can_walk(context)) is not None:
         return reason
-    if can_release(view) is None:
+    if can_release(context) is None:
         return None
-    if view.track is None:
+    if context.track is None:
         return "The tracker is still loading."
-    return None if view.sky is not None and view.sky.rows else "No passes yet."
+    return None if context.sky is not None and context.sky.rows else "No passes yet."
 
 
 POCKET = (

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.allowed import CommandContext
 
-Reason = Callable[[View], str | None]
+Reason = Callable[[CommandContext], str | None]
 """Why a command cannot be given now, as a sentence; None when it can."""
 
 
-def always(_: View) -> str | None:
+def always(_: CommandContext) -> str | None:
     """Nothing is ever in the way."""
     return None
 

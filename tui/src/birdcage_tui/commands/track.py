@@ -3,61 +3,60 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command, Reason
-from birdcage_tui.shown.allowed import can_release, can_step
+from birdcage_tui.shown.allowed import CommandContext, can_release, can_step
 from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.view import View
 
 PAGE, HERE = "control", ("craft",)
 TABS = ("control", "craft", "network")
 
 
-def can_search(view: View) -> str | None:
+def can_search(context: CommandContext) -> str | None:
     """Return why no target can be searched for."""
-    return "The tracker is still loading." if view.track is None else None
+    return "The tracker is still loading." if context.track is None else None
 
 
-def can_watch(view: View) -> str | None:
+def can_watch(context: CommandContext) -> str | None:
     """Return why there is no target to do something with."""
-    if view.track is None:
-        return can_search(view)
-    return "No target selected. / searches." if view.track.choice is None else None
+    if context.track is None:
+        return can_search(context)
+    return "No target selected. / searches." if context.track.choice is None else None
 
 
-def can_follow(view: View) -> str | None:
+def can_follow(context: CommandContext) -> str | None:
     """Return why the chosen target cannot be pointed at or followed; the station checks again."""
-    return can_watch(view) or can_step(view) or (None if view.track is None else view.track.problem or None)
+    return can_watch(context) or can_step(context) or (None if context.track is None else context.track.problem or None)
 
 
-def can_leave(view: View) -> str | None:
+def can_leave(context: CommandContext) -> str | None:
     """Return why there is nothing to leave."""
-    return None if pursuit_of(view) is not None else "No target is being followed."
+    return None if pursuit_of(context.state) is not None else "No target is being followed."
 
 
-def can_take(view: View) -> str | None:
+def can_take(context: CommandContext) -> str | None:
     """Return why Enter does nothing here; while something is held, it releases that first, as everywhere."""
-    return None if can_release(view) is None else can_search(view)
+    return None if can_release(context) is None else can_search(context)
 
 
-def can_forget(view: View) -> str | None:
+def can_forget(context: CommandContext) -> str | None:
     """Return why there is nothing to forget."""
-    return "No interrupted pass." if view.track is None or view.track.unfinished is None else None
+    return "No interrupted pass." if context.track is None or context.track.unfinished is None else None
 
 
-def can_take_offer(view: View) -> str | None:
+def can_take_offer(context: CommandContext) -> str | None:
     """Return why the target that was offered cannot be followed; what is held is released first, as everywhere."""
-    return None if can_release(view) is None else can_follow(view)
+    return None if can_release(context) is None else can_follow(context)
 
 
-def can_take_autotrack(view: View) -> str | None:
+def can_take_autotrack(context: CommandContext) -> str | None:
     """Return why autotrack, which was offered, cannot begin; what is held is released first, as everywhere."""
-    return None if can_release(view) is None else can_autotrack(view)
+    return None if can_release(context) is None else can_autotrack(context)
 
 
-def can_autotrack(view: View) -> str | None:
+def can_autotrack(context: CommandContext) -> str | None:
     """Return why autotrack cannot be switched. Off is always possible."""
-    if view.track is not None and view.track.autotrack:
+    if context.track is not None and context.track.autotrack:
         return None
-    return can_search(view) or can_step(view)
+    return can_search(context) or can_step(context)
 
 
 def _tab(name: str, key: str, title: str, text: str) -> Command:

@@ -39,7 +39,7 @@ def _hint(view: View) -> str:
         return f"↑ ↓ select, Enter turns the dish there, {esc_text(view, closes='goes back to the rose')}."
     if view.horizon.recording:
         return "Recording the horizon: jog along the tree line. Each rest of 1 s adds a point. M ends it."
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None:
         return f"Tracking {pursuit.plan.aim.name}. An arrow takes over, or g and a direction."
     if view.state.awaits_first_move:

@@ -46,7 +46,7 @@ LATER = "The server for Gpredict and others is not in this version."
 
 def now_rows(view: View) -> list[Row]:
     """Return who has control, what for, and what holds the dish."""
-    state, pursuit = view.state, pursuit_of(view)
+    state, pursuit = view.state, pursuit_of(view.state)
     holder = state.holder
     control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
     found = [("Control", "strong" if holder else "dim", f"{control[:1].upper()}{control[1:]}.")]

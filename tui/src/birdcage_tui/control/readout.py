@@ -87,7 +87,7 @@ class ReadoutPane(Pane):
         """Write what it does in one row, and what stops it in those that are left."""
         left = 0 if cells.width < 30 else 1
         ink = "dim" if view.waiting else "warn" if not view.link_up else "accent-strong" if view.moving else "text"
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         words, room, error = motion_text(view), cells.width - left, live_words(view)
         if error and words.endswith(error) and cell_len(words) > room:  # the name gives way, never the number
             error = live_words(view, brief=True)

@@ -6,14 +6,15 @@ from typing import Protocol, cast
 
 from textual.widget import Widget
 
-from birdcage_tui.control.tabs import TABS, TabRow, tab_for
+from birdcage_tui.commands.control import PAGE as CONTROL
+from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
 
 FOCUS = {"manual": "#rose", "presets": "#presets"}
-SCOPES = {"craft": "craft", "network": "network"}
-"""The scope of the page on a tab that has commands of its own; on the others it is the page's."""
+LATER = ("craft", "network")
+"""Tabs that are made on their first visit. They have commands of their own: the arrows step the dish by hand only."""
 
 
 class TabView(Protocol):
@@ -40,14 +41,9 @@ class Tabbed(Page):
     tab = TABS[0]
 
     @property
-    def scope(self) -> str:
-        """The tab's, where it has one: the arrows that step the dish hold by hand only."""
-        return SCOPES.get(self.tab, super().scope)
-
-    @property
     def body(self) -> Widget | None:
         """What a tab that was made later consists of; None while it is not mounted, and for the others."""
-        found = self.query_one_optional(f"#{self.tab}") if self.tab in SCOPES else None
+        found = self.query_one_optional(f"#{self.tab}") if self.tab in LATER else None
         return found if found is not None and found.is_mounted else None
 
     @property
@@ -56,16 +52,14 @@ class Tabbed(Page):
         return self.body or self
 
     def show_tab(self, name: str) -> None:
-        """Show a tab, and give the focus to what it wants it on."""
-        if name == self.tab:
-            return
-        self.tab = name
+        """Show another tab, and give the focus to what it wants it on."""
+        self.tab, self.scope = name, name if name in LATER else CONTROL
         for each in TABS:
             self.set_class(each == name, f"-tab-{each}")
         row = self.query_one(TabRow)
         row.shown = name
         row.redraw()
-        if name in SCOPES and self.query_one_optional(f"#{name}") is None:
+        if name in LATER and self.query_one_optional(f"#{name}") is None:
             self.mount(self._make(name))
         self.FIRST_FOCUS = FOCUS.get(name)
         self.screen.set_focus(None if self.FIRST_FOCUS is None else self.query_one(self.FIRST_FOCUS))
@@ -88,17 +82,10 @@ class Tabbed(Page):
     def on_resize(self) -> None:
         """Choose the layout."""
 
-    def on_tab(self, command: str) -> bool | None:
-        """Go to the tab that a command is done on. Return what came of it there; None: it is the page's own to do."""
-        self.show_tab(tab_for(command, self.tab))
-        if command.startswith("tab-"):
-            return True
-        if self.tab != "craft":
-            return None
-        body = self.body
-        if body is None:
-            self.call_after_refresh(self._do_in_body, command)
-            return True
+    def do_on_craft(self, command: str) -> bool:
+        """Carry out a command of the tab Craft; once that is mounted, if it is not. Return False for an unknown one."""
+        if self.body is None:
+            return self.call_after_refresh(self._do_in_body, command)
         return self._do_in_body(command)
 
     def _do_in_body(self, command: str) -> bool:
@@ -110,7 +97,7 @@ class Tabbed(Page):
     def show_body(self, view: View) -> bool:
         """Draw the tabs, and a tab that was made later; return whether that is the one that is seen."""
         self.query_one(TabRow).show(view)
-        if self.tab not in SCOPES:
+        if self.tab not in LATER:
             return False
         body = self.body
         if body is not None:

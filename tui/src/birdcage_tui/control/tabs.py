@@ -29,14 +29,3 @@ class TabRow(Pane):
                 x = cells.put(x, 0, f"{command.title} ", "bar")
             self.heat(start, 0, x - start, command.name)
             x += 2
-
-
-def tab_for(command: str, now: str) -> str:
-    """Return on which tab a command of the page is done; the presets have two of them."""
-    if command.startswith("tab-"):
-        return command.removeprefix("tab-")
-    if command in ("open-craft", "open-offer") or command.startswith(("track-", "offer-")):
-        return "craft"
-    if command.startswith("preset"):
-        return now if now in ("manual", "presets") else "presets"
-    return "manual"

@@ -43,7 +43,7 @@ def held_back(view: View) -> str | None:
 
 def _enter(words: str, view: View, width: int) -> str:
     """Return what Enter would do; where there is room in two rows, also which pass it ends."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None and view.state.holder == pursuit.holder:
         ends = f"Enter ends {pursuit.plan.aim.name}: {words}"
         if len(wrap(ends, width)) <= ROWS:

@@ -143,9 +143,13 @@ class ControlPage(Tabbed):
 
     def do(self, command: str) -> bool:
         """Do what is the page's own, on the tab that it belongs to; hand on what a widget of it does."""
-        done = self.on_tab(command)
-        if done is not None:
-            return done
+        tab = tab_for(command, self.tab)
+        if tab != self.tab:
+            self.show_tab(tab)
+        if command.startswith("tab-"):
+            return True
+        if tab == "craft":
+            return self.do_on_craft(command)
         if command.startswith("digit-"):
             return self.query_one(DigitsPane).do(command)
         if command.startswith("preset"):
@@ -270,3 +274,14 @@ class ControlPage(Tabbed):
                 self._tell(lambda: book.replace(old.name, ask.preset_of(values)))
 
         self.app.push_screen(ask.preset("Edit preset", ask.preset_fields(old), book, old.name), answered)
+
+
+def tab_for(command: str, now: str) -> str:
+    """Return on which tab a command of the page is done; the presets have two of them."""
+    if command.startswith("tab-"):
+        return command.removeprefix("tab-")
+    if command in ("open-craft", "open-offer") or command.startswith(("track-", "offer-")):
+        return "craft"
+    if command.startswith("preset"):
+        return now if now in ("manual", "presets") else "presets"
+    return "manual"

@@ -34,7 +34,7 @@ def _wrapped(words: str, width: int) -> list[str]:
 
 def _followed(row: Row, view: View) -> bool:
     """Return whether a pass is the one under way, of which *Pointing* tells how long it is in reach."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     passing = None if pursuit is None or pursuit.phase is not Phase.FOLLOWING else pursuit.plan.passing
     if passing is None or (passing.norad_id, plain_name(passing.name)) != (row.norad_id, row.name):
         return False

@@ -50,7 +50,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
         ]
     doing = _doing(view)
     steps = [doing] if doing[1] else []
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if view.moving and pursuit is None:  # what STOP does stands under the digits, which say whom it pursues
         steps.append(("text", f"Space: {stop_text(view, 80).removesuffix('.')}."))
     if state.held is not None:
@@ -95,7 +95,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
 
 def _until_then(view: View) -> str:
     """Return what may move the dish before a person asks for it, while nothing can be said to it."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if view.state.held is None:
         return "birdcage sends no motion meanwhile."
     if pursuit is not None and pursuit.phase is Phase.INTERRUPTED and pursuit.options.resume:
@@ -116,7 +116,7 @@ def _doing(view: View) -> tuple[str, str]:
     state = view.state
     if state.held is not None and not view.moving and state.last_stop is not None:
         return "warn-strong", state.last_stop.sentence  # who holds it since when stands in row 2
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None:
         word, name = PHASE[pursuit.phase].removesuffix(":"), plain_name(pursuit.plan.aim.name)
         return "accent-strong", pursuit.why or f"{word.capitalize()} {name}."

@@ -88,7 +88,7 @@ class PointingPane(Pane):
         x = cells.put(
             1, y + 2, cut(stop_text(view, cells.width - 2), cells.width - 2), "text" if view.moving else "dim"
         )
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         los = "" if pursuit is None or not view.link_up else los_words(pursuit.plan)
         if x + len(los) + 3 <= cells.width:
             cells.right(cells.width - 1, y + 2, los, "dim")
@@ -142,7 +142,7 @@ class PointingPane(Pane):
 
         The error stands at the right end of the row above: it is looked at most.
         """
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         if pursuit is None or not view.link_up:
             return False
         name, error = headline(view) or "", live_words(view)

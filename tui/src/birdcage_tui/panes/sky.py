@@ -59,7 +59,7 @@ class SkyPane(Pane):
             self.border_title = title
         canvas = self._ground.draw(polar, view)
         draw_trails(canvas, polar, view)
-        pursued = pursuit_of(view) is not None
+        pursued = pursuit_of(view.state) is not None
         if pursued:
             draw_pursuit(canvas, polar, view, self._points)
         self._path(canvas, polar, view)
@@ -128,7 +128,7 @@ class SkyPane(Pane):
     @staticmethod
     def _target(cells: Cells, polar: Polar, view: View) -> str:
         """Mark the target of a pursuit, and name it, or the preset that the dish was sent to; return the name."""
-        pursuit, state = pursuit_of(view), view.state
+        pursuit, state = pursuit_of(view.state), view.state
         t_s = view.utc.timestamp()
         if pursuit is not None and pursuit.plan.sky.start_s <= t_s <= pursuit.plan.sky.end_s:
             az_deg, el_deg = pursuit.plan.sky.at(t_s)
@@ -157,7 +157,7 @@ class SkyPane(Pane):
         low, high = state.el_min_deg or 0.0, state.el_max_deg or 90.0
         named = cells.width >= 84
         slots = []
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         followed = None if pursuit is None else pursuit.plan.sky.at(view.utc.timestamp())
         for slot, az_deg, el_deg in slots_in_sight(place.latitude_deg, place.longitude_deg, low, high):
             x, y = polar.cell(az_deg, el_deg)
@@ -195,7 +195,7 @@ class SkyPane(Pane):
 
 def target_is_old(view: View) -> bool:
     """Return whether what is followed is followed by elements that are too old, or by those that ship."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None:
         return False
     plan = pursuit.plan

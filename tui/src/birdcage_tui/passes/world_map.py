@@ -47,7 +47,7 @@ class WorldMapPane(Pane, can_focus=True):
 
     def show(self, view: View) -> None:
         """Draw the world, unless that one stands there already: it changes once a second, and frames are many."""
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         now = (self.world, view.pointer, None if pursuit is None else pursuit.plan.aim.name)
         if self._cells is not None and self._drawn == now:
             self.view = view
@@ -123,7 +123,7 @@ def _marks(cells: Cells, chart: Chart, left: int, top: int, world: WorldView, vi
     def is_followed(one: SubPoint) -> bool:
         return aim is not None and (one.norad_id == aim.norad_id if aim.norad_id else one.name == aim.name)
 
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     aim = None if pursuit is None else pursuit.plan.aim
     cells.put(*at(world.sun.latitude_deg, world.sun.longitude_deg), "☼", "strong")
     for one in world.satellites:

@@ -24,7 +24,7 @@ def ask_of(selection: PassSelection, view: View) -> Ask:
     """Return what the page shows now."""
     chosen = selection.chosen(view)
     found: dict[tuple[int, str], Row] = {}
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None and view.sky is not None:  # also where the filter of the list leaves it out
         aim = pursuit.plan.aim
         same = (row for row in view.sky.rows if row.norad_id == aim.norad_id and (row.norad_id or row.name == aim.name))

@@ -95,7 +95,7 @@ class PocketReading(Pane):
             cable_gauge(cells, cable_y, view)
         if not wrong and y < cable_y:
             said = "" if view.moving else calm(view, brief=True)
-            pursuit = pursuit_of(view)
+            pursuit = pursuit_of(view.state)
             if pursuit is not None and (coming := next_words(view, cells.width - 2)):
                 both = f"{coming}   {los_words(pursuit.plan)}".rstrip()
                 said = both if len(both) <= cells.width - 2 else coming

@@ -26,7 +26,7 @@ from textual.containers import Container
 from textual.driver import Driver
 from textual.filter import LineFilter
 from textual.screen import Screen
-from textual.widgets import ContentSwitcher, Input
+from textual.widgets import ContentSwitcher, Input, TextArea
 
 from birdcage_tui import commands
 from birdcage_tui.console.tap import WireTap
@@ -45,7 +45,7 @@ from birdcage_tui.shell.motions import Motions
 from birdcage_tui.shell.page_stage import PageStage
 from birdcage_tui.shell.questions import Questions
 from birdcage_tui.shell.start_objects import StartObjects
-from birdcage_tui.shell.stopping import driver_for, focused_widget, is_stop_key
+from birdcage_tui.shell.stopping import driver_for
 from birdcage_tui.shell.tour import Tour
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.pursuit import says_nothing_new
@@ -58,7 +58,6 @@ from birdcage_tui.widgets.messages import CommandChosen, SkyChanged, StationEven
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.palette import CommandProvider
 from birdcage_tui.widgets.pane import Pane
-from birdcage_tui.widgets.scope import Scope
 from birdcage_tui.widgets.status import BadDayRow, TopRow
 
 if TYPE_CHECKING:
@@ -171,7 +170,7 @@ class BirdcageApp(App[None]):
         """Return what one frame shows, now."""
         return self.feeds.frame(
             self.settings, self.stage, self.motions,
-            tour=self._tour.says, aim=self.aim, typing=isinstance(focused_widget(lambda: self.focused), Input),
+            tour=self._tour.says, aim=self.aim, typing=bool(self.screen_stack) and isinstance(self.focused, Input),
         )  # fmt: skip
 
     def paint(self) -> None:
@@ -283,20 +282,20 @@ class BirdcageApp(App[None]):
         assert page is not None, "the first page is composed with the app"
         return page
 
-    def scopes(self) -> tuple[Scope, ...]:
-        """Return whose commands hold now, innermost first."""
-        return self.stage.scopes()
-
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
         self.stage.typing_changed()
 
     def stop_key(self, event: events.Key) -> bool:
-        """Stop the dish if this key means STOP now. Any thread; nothing is painted before it."""
-        if not is_stop_key(event.key, focused_widget(lambda: self.focused), self.view_may_move):
-            return False
-        self.station.stop(YOU)
-        return True
+        """STOP on Ctrl+C, on Space outside text fields, on Esc while anything may move; return whether. Any thread."""
+        if event.key == "space":
+            screens = self.screen_stack  # none when the app ends
+            stops = not (screens and isinstance(screens[-1].focused, Input | TextArea))
+        else:
+            stops = event.key == "ctrl+c" or (event.key == "escape" and self.view_may_move())
+        if stops:
+            self.station.stop(YOU)
+        return stops
 
     def view_may_move(self) -> bool:
         """Return whether anything moves or may move by itself. Any thread."""
@@ -322,9 +321,9 @@ class BirdcageApp(App[None]):
 
     def action_key(self, key: str) -> None:
         """Do what the key means to what has the focus."""
-        command = commands.for_key(key, [scope.scope for scope in self.scopes()])
+        command = commands.for_key(key, [scope.scope for scope in self.stage.scopes()])
         if command is not None:
-            self.action_command(command.name)
+            self.deeds.do(command.name)
 
     def action_command(self, name: str) -> None:
         """Do the command, or say why not."""

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from functools import partial
 from typing import Protocol
 
 from birdcage.base.errors import BirdcageError
@@ -12,12 +13,11 @@ from textual.app import App
 
 from birdcage_tui import commands
 from birdcage_tui.commands.jog import DIRECTIONS, SKEW_DIRECTIONS
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.shell.appearance import next_theme
-from birdcage_tui.shell.motions import Motions
+from birdcage_tui.shell.live_context import ContextHost, LiveContext
 from birdcage_tui.shell.questions import Questions
 from birdcage_tui.shown.unready import SETUP, setup_step
 from birdcage_tui.shown.view import YOU
@@ -25,23 +25,18 @@ from birdcage_tui.widgets.help import HelpScreen, help_words
 from birdcage_tui.widgets.jump import JumpScreen, JumpTarget, targets
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.palette import Palette
-from birdcage_tui.widgets.scope import Scope
 
 
-class DeedHost(AppHost, Protocol):
+class DeedHost(ContextHost, Protocol):
     """The app, seen from its commands."""
 
     settings: AppOptions
     station: Station
-    motions: Motions
     questions: Questions
 
     @property
     def page(self) -> Page:
         """The page that is seen."""
-
-    def scopes(self) -> Sequence[Scope]:
-        """Return whose commands hold now, innermost first."""
 
     def end_tour(self) -> None:
         """Let the demo do nothing by itself any more."""
@@ -55,53 +50,52 @@ class Deeds:
 
     def __init__(self, app: App[None], host: DeedHost) -> None:
         self._app, self._host = app, host
+        motions, questions = host.motions, host.questions
+        self._deeds: dict[str, Callable[[], object]] = {
+            **{f"page-{name}": partial(host.show_page, name) for name, _, _ in commands.PAGES},
+            SETUP: self._show_setup,
+            **{name: partial(motions.jog, *steps) for name, steps in DIRECTIONS.items()},
+            **{name: partial(motions.jog_skew, steps) for name, steps in SKEW_DIRECTIONS.items()},
+            "step-up": partial(motions.change_step, 1),
+            "step-down": partial(motions.change_step, -1),
+            "stop": self.stop,
+            "release": self.release,
+            "goto": self.open_goto,
+            "skew": partial(self.open_goto, "skew "),
+            "home": questions.home,
+            "resume": motions.resume,
+            "search": questions.end_search,
+            "help": self._show_help,
+            "jump": self._show_jump,
+            "palette": self._show_palette,
+            "elements-add": questions.elements,
+            "place-set": questions.place,
+            "theme": self._next_theme,
+            "quit": host.leave,
+        }
+        """What the app itself does for a command; a page does the others."""
 
     def do(self, name: str) -> None:
         """Do the command, or say why not."""
         command = commands.BY_NAME[name]
-        reason = command.refused(self._host.view())
+        reason = command.refused(LiveContext(self._host.station.state, self._host))
         if reason is not None:
             self._host.say("" if name == "release" else reason)
             return
-        for scope in self._host.scopes():
+        for scope in self._host.stage.scopes():
             if scope.scope in command.where and scope.do(name):
                 return
-        deed = self._deed(name)
+        deed = self._deeds.get(name)
         if deed is not None:
             deed()
         else:
             # Another page's: go there, and do it.
             self._host.show_page(command.page or command.where[0], then=name)
 
-    def _deed(self, name: str) -> Callable[[], object] | None:
-        """Return what the app itself does for a command; None for what a page does."""
-        if name == SETUP and isinstance(self._host.page, DashboardPage) and (step := setup_step(self._host.view())):
-            return lambda: self._host.show_page("setup", then=f"look-{step}")
-        if name.startswith("page-"):
-            return lambda: self._host.show_page(name.removeprefix("page-"))
-        if name in DIRECTIONS:
-            return lambda: self._host.motions.jog(*DIRECTIONS[name])
-        if name in SKEW_DIRECTIONS:
-            return lambda: self._host.motions.jog_skew(SKEW_DIRECTIONS[name])
-        deeds: dict[str, Callable[[], object]] = {
-            "stop": self.stop,
-            "release": self.release,
-            "goto": self.open_goto,
-            "step-up": lambda: self._host.motions.change_step(1),
-            "step-down": lambda: self._host.motions.change_step(-1),
-            "home": self._host.questions.home,
-            "resume": self._host.motions.resume,
-            "skew": lambda: self.open_goto("skew "),
-            "search": self._host.questions.end_search,
-            "help": self._show_help,
-            "jump": self._show_jump,
-            "palette": self._show_palette,
-            "elements-add": self._host.questions.elements,
-            "place-set": self._host.questions.place,
-            "theme": self._next_theme,
-            "quit": self._host.leave,
-        }
-        return deeds.get(name)
+    def _show_setup(self) -> None:
+        """Show the page; from the dashboard, with the cursor on the step that it says comes next."""
+        step = setup_step(self._host.view()) if isinstance(self._host.page, DashboardPage) else None
+        self._host.show_page("setup", then=f"look-{step}" if step else None)
 
     def open_goto(self, text: str = "") -> None:
         """Open the go-to line, over whatever page is seen."""

@@ -26,7 +26,7 @@ from birdcage_tui.feeds.horizon_book import HorizonBook
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.goto.reach import refusal_of
 from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.shown.view import YOU
 
 Motion = Goto | Jog | TurnSkew | Home | Stow
 
@@ -37,9 +37,6 @@ class MotionHost(Protocol):
     station: Station
     horizon: HorizonBook
     track: TrackFeed
-
-    def view(self) -> View:
-        """Return what one frame shows, now."""
 
     def say(self, words: str) -> None:
         """Tell what was done, or why not, in one sentence."""
@@ -75,8 +72,10 @@ class Motions:
             if error is not None:
                 host.soon(partial(host.say, str(error)))
 
-        if isinstance(request, Motion):
-            reason = refusal_of(request, host.station.state) if self._pursuit_leads else None
+        state = host.station.state
+        pursuit = None if state.holder in (None, YOU) else pursuit_of(state)
+        if isinstance(request, Motion) and pursuit is not None and state.holder == pursuit.holder:
+            reason = refusal_of(request, state)
             if reason is not None:
                 host.say(f"Refused: {reason}")
                 return
@@ -102,17 +101,10 @@ class Motions:
 
         The station judges first: a pass that is followed is not left for a motion that it refuses.
         """
-        if not self._pursuit_leads:
-            return request
         if isinstance(request, Home | Stow):
             self._host.station.submit(AcquireLease(YOU, take_over=True))
             return request
         return replace(request, take_over=True)
-
-    @property
-    def _pursuit_leads(self) -> bool:
-        pursuit = pursuit_of(self._host.view())
-        return pursuit is not None and self._host.station.state.holder == pursuit.holder != YOU
 
     def jog(self, az_steps: float, el_steps: float) -> None:
         """Step from the last commanded target."""

@@ -7,13 +7,14 @@ from typing import TYPE_CHECKING, Protocol
 
 from birdcage.station.requests import Unwatch, Watch
 from textual.app import App
+from textual.widget import Widget
 from textual.widgets import ContentSwitcher
 
 from birdcage_tui.console.console_host import ConsoleHost
 from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.pages.register import make_page
 from birdcage_tui.widgets.page import Page
-from birdcage_tui.widgets.scope import Scope, scopes_of
+from birdcage_tui.widgets.scope import Scope
 
 if TYPE_CHECKING:
     from birdcage_tui.console.overlay import ConsoleOverlay
@@ -70,11 +71,12 @@ class PageStage:
         if page is None:
             return ()
         focused, sheet = self._app.screen_stack[0].focused, self.open_sheet
-        if self.folded or sheet is None:
-            return scopes_of(focused, [page])
-        # The console lies over the page, whose keys hold only while something of it has the focus.
-        in_page = focused is not None and page in focused.ancestors_with_self
-        return scopes_of(focused, [page, sheet] if in_page else [sheet])
+        chain = [] if focused is None else focused.ancestors_with_self
+        outermost: list[Widget] = [page]
+        if sheet is not None and not self.folded:
+            # The console lies over the page, whose keys hold only while something of it has the focus.
+            outermost = [page, sheet] if page in chain else [sheet]
+        return tuple(node for node in dict.fromkeys((*chain, *outermost)) if isinstance(node, Scope))
 
     def watch(self) -> None:
         """Ask the station to read what the visible page shows, and nothing else."""

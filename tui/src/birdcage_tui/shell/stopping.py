@@ -2,31 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
-from textual.app import ScreenStackError
 from textual.driver import Driver
 from textual.events import Key
 from textual.message import Message
-from textual.widget import Widget
-from textual.widgets import Input, TextArea
-
-
-def is_stop_key(key: str, focused: Widget | None, may_move: Callable[[], bool]) -> bool:
-    """Return whether `key` means STOP: Ctrl+C always, Space outside text fields, Esc while anything may move."""
-    if key == "ctrl+c":
-        return True
-    if key == "space":
-        return not isinstance(focused, Input | TextArea)
-    return key == "escape" and may_move()
-
-
-def focused_widget(get: Callable[[], Widget | None]) -> Widget | None:
-    """Return what has the focus; None while there is no screen."""
-    try:
-        return get()
-    except ScreenStackError:
-        return None
 
 
 def stop_first(base: type[Driver]) -> type[Driver]:

@@ -1,35 +1,78 @@
-"""What may be done now, by what a frame shows: each gives the reason against it as a sentence, None for yes.
+"""What may be done now: each gives the reason against it as a sentence, None for yes.
 
 The station checks again, and its word counts.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+from typing import TYPE_CHECKING, Protocol
 
-from birdcage.station.state import Activity
+from birdcage.station.state import Activity, LinkPhase, StationState
 
-from birdcage_tui.shown.view import YOU, View
+from birdcage_tui.shown.view import YOU
+
+if TYPE_CHECKING:
+    from birdcage.pursuit.now import DeskNow
+
+    from birdcage_tui.shown.calibration import CalibrateNow
+    from birdcage_tui.shown.horizon_state import HorizonState
+    from birdcage_tui.shown.sky_picture import SkyPicture
 
 RESUME_KEY = "U"
 
 
-def can_move(view: View) -> str | None:
-    """Return why the dish cannot be moved now; the station checks again, and its word counts."""
-    state = view.state
+class CommandContext(Protocol):
+    """What decides whether a command can be given; a `View` has it for its frame, `LiveContext` for a key."""
+
+    @property
+    def state(self) -> StationState:
+        """The station's."""
+
+    @property
+    def now(self) -> float:
+        """Monotonic seconds."""
+
+    @property
+    def asked(self) -> bool:
+        """Whether something that you asked for is not at its end yet: a motion may be about to begin."""
+
+    @property
+    def scopes(self) -> tuple[str, ...]:
+        """Whose commands hold, innermost first."""
+
+    @property
+    def track(self) -> DeskNow | None:
+        """What the pursuit desk shows; None before it has told anything."""
+
+    @property
+    def calibrate(self) -> CalibrateNow | None:
+        """What the calibration shows; None before its tab was visited."""
+
+    @property
+    def sky(self) -> SkyPicture | None:
+        """What is up, and which passes come; None before it was first worked out."""
+
+    @property
+    def horizon(self) -> HorizonState:
+        """The line of trees and roofs, as it counts now."""
+
+
+def can_move(context: CommandContext, *, though_held: bool = False) -> str | None:
+    """Return why the dish cannot be moved now; `though_held`: HELD is no reason, as it is released first."""
+    state = context.state
     if state.fault is not None:
         return "A fault waits. Enter acknowledges it."
-    if not view.link_up:
+    if state.link.state is not LinkPhase.UP:
         return "The dish does not answer."
-    if state.held is not None:
+    if state.held is not None and not though_held:
         return "STOP is latched. Enter releases it."
     if state.motion_refused_because:
         return state.motion_refused_because
     if state.dish is not None and state.dish.no_direction:
         return state.dish.no_direction
-    if state.awaits_first_move:
-        return None
     if state.homed is False or state.position is None:
+        if state.awaits_first_move:
+            return None
         if state.dish is not None and state.dish.never_homes:
             return "No position has been read yet."
         if state.dish is not None and state.dish.homing_s is None:
@@ -38,20 +81,20 @@ def can_move(view: View) -> str | None:
     return None
 
 
-def can_step(view: View) -> str | None:
+def can_step(context: CommandContext) -> str | None:
     """Return why the dish cannot be moved from where it is now."""
-    reason = can_move(view)
-    if reason is None and view.state.awaits_first_move:
+    reason = can_move(context)
+    if reason is None and context.state.position is None:  # it awaits its first move
         return "This dish does not tell where it points. Send it somewhere first (g)."
     return reason
 
 
-def can_home(view: View) -> str | None:
+def can_home(context: CommandContext) -> str | None:
     """Return why the dish cannot be homed now."""
-    state = view.state
+    state = context.state
     if state.fault is not None:
         return "A fault waits. Enter acknowledges it."
-    if not view.link_up:
+    if state.link.state is not LinkPhase.UP:
         return "The dish does not answer."
     if state.dish is not None and state.dish.no_homing:
         return state.dish.no_homing
@@ -60,21 +103,22 @@ def can_home(view: View) -> str | None:
     return "The dish is already homing." if state.activity is Activity.HOMING else None
 
 
-def can_release(view: View) -> str | None:
+def can_release(context: CommandContext) -> str | None:
     """Return why there is nothing to release, acknowledge or accept."""
-    state = view.state
+    state = context.state
     if state.fault is None and state.held is None and not state.motion_refused_because:
         return "No STOP and no fault to release."
     return None
 
 
-def can_resume(view: View) -> str | None:
+def can_resume(context: CommandContext) -> str | None:
     """Return why nothing can be resumed. HELD is no reason: resuming releases it, and says so."""
-    if view.track is None or (view.track.resumable is None and view.track.unfinished is None):
+    state, track = context.state, context.track
+    if track is None or (track.resumable is None and track.unfinished is None):
         return "No interrupted pass."
-    holder, pursuit = view.state.holder, view.state.pursuit
+    holder, pursuit = state.holder, state.pursuit
     if holder not in (None, YOU) and (pursuit is None or holder != pursuit.holder):
         return f"{holder} has control."
-    if view.state.held is not None and view.state.last_stop is not None and view.state.last_stop.confirmed is not True:
+    if state.held is not None and state.last_stop is not None and state.last_stop.confirmed is not True:
         return "STOP is not confirmed: Enter releases it."
-    return can_move(replace(view, state=replace(view.state, held=None)))
+    return can_move(context, though_held=True)

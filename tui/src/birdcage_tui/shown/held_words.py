@@ -67,7 +67,7 @@ def _unproven(stopped: StopReport | None) -> bool:
 
 def _next_mover(view: View) -> str | None:
     """Return who has asked for a motion that the release lets go on; None without one."""
-    state, held, pursuit = view.state, view.state.held, pursuit_of(view)
+    state, held, pursuit = view.state, view.state.held, pursuit_of(view.state)
     if state.motion_refused_because:
         return None
     if _goes_on(pursuit):
@@ -90,7 +90,7 @@ def _ignored(view: View, held: HeldState) -> str:
     """Return whose motion was refused meanwhile. A pursuit that is to go on is announced there, and was not refused."""
     if held.next_holder is None or not held.ignored:
         return ""
-    if _goes_on(pursuit_of(view)):
+    if _goes_on(pursuit_of(view.state)):
         return f"  {held.ignored} motion{'s' if held.ignored > 1 else ''} ignored"
     times = f" x{held.ignored}" if held.ignored > 1 else ""
     return f"  {held.next_holder}{_direction(held, ' ')} ignored{times}"

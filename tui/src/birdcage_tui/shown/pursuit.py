@@ -18,16 +18,16 @@ STEERED = frozenset({Phase.FOLLOWING, Phase.REWINDING, Phase.READY, Phase.PREPOS
 """Phases in which the pursuit moves the dish, or holds it in place to do so."""
 
 
-def pursuit_of(view: View) -> Pursuit | None:
+def pursuit_of(state: StationState) -> Pursuit | None:
     """Return the pursuit under way; None when there is none, or it is over."""
-    pursuit = view.state.pursuit
+    pursuit = state.pursuit
     return None if pursuit is None or pursuit.phase is Phase.OVER else pursuit
 
 
 def plan_of(view: View) -> Plan | None:
     """Return the plan to draw: that of the chosen target; while none is chosen, the one being carried out."""
     chosen = None if view.track is None else view.track.plan
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None and (chosen is None or same_target(chosen, pursuit.plan)):
         return pursuit.plan
     return chosen
@@ -50,7 +50,7 @@ def shown_is_followed(view: View) -> bool:
 
 def sample_of(view: View) -> PointingSample | None:
     """Return the last look at how well the dish points; None unless it follows now."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None or pursuit.phase is not Phase.FOLLOWING:
         return None
     return view.followed[-1] if view.followed else pursuit.sample
@@ -84,7 +84,7 @@ def aimed_at(view: View) -> tuple[float, float] | None:
 
     While it follows, it is sent ahead of the target: where it would come to rest is not the target.
     """
-    pursuit, state = pursuit_of(view), view.state
+    pursuit, state = pursuit_of(view.state), view.state
     if pursuit is not None and pursuit.phase is Phase.FOLLOWING:
         sample = sample_of(view)
         if sample is not None and view.now - sample.at <= STALE_S:
@@ -104,7 +104,7 @@ def says_nothing_new(event: MoveEnded, state: StationState) -> bool:
 
 def told_before_following(view: View) -> bool:
     """Return whether the dish follows a target, and has begun to after the last command was told of."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None or pursuit.phase is not Phase.FOLLOWING or not view.told:
         return False
     return (view.utc - view.told[-1].utc).total_seconds() > view.now - pursuit.since
@@ -112,7 +112,7 @@ def told_before_following(view: View) -> bool:
 
 def next_incident(view: View) -> Incident | None:
     """Return what happens next in the pursuit, whatever else is shown beside it."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None:
         return None
     t_s = view.utc.timestamp()

@@ -83,7 +83,7 @@ def seconds_to(view: View, moment: datetime | None) -> float | None:
 
 def headline(view: View, *, brief: bool = False) -> str | None:
     """Return what the pursuit does to whom: `FOLLOWING METEOR-M2 4`; None without one."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None:
         return None
     word = SHORT.get(pursuit.phase, PHASE[pursuit.phase]) if brief else PHASE[pursuit.phase]
@@ -99,7 +99,7 @@ def plain_name(name: str) -> str:
 
 def live_words(view: View, *, brief: bool = False) -> str:
     """Return the error now, elements and all: `error 0.04°`, `error ±0.26°`; empty unless the dish follows."""
-    sample, pursuit = sample_of(view), pursuit_of(view)
+    sample, pursuit = sample_of(view), pursuit_of(view.state)
     if sample is None or pursuit is None:
         return ""
     found = live_deg(sample, pursuit.plan)
@@ -110,7 +110,7 @@ def live_words(view: View, *, brief: bool = False) -> str:
 
 def countdown_s(view: View) -> float | None:
     """Return the seconds until it moves without a fresh request; None unless it counts down."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
         return None
     return seconds_to(view, pursuit.next_at)
@@ -118,7 +118,7 @@ def countdown_s(view: View) -> float | None:
 
 def countdown_words(view: View) -> str | None:
     """Return what is about to move, where to, and what stops it; None unless it counts down."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None or pursuit.phase is not Phase.COUNTDOWN:
         return None
     left_s = seconds_to(view, pursuit.next_at)
@@ -144,7 +144,7 @@ def trouble(view: View) -> tuple[str, str] | None:
     words = countdown_words(view)
     if words is not None:
         return "warn-row", words
-    pursuit, resume = pursuit_of(view), resume_words(view)
+    pursuit, resume = pursuit_of(view.state), resume_words(view)
     if pursuit is not None and pursuit.phase is Phase.INTERRUPTED:
         return "warn-row", f"◌ PURSUIT INTERRUPTED  {pursuit.why}  {resume}".rstrip()
     found = None if view.track is None else view.track.resumable
@@ -187,7 +187,7 @@ def next_words(view: View, room: int = 80) -> str:
 
     `In reach for 02:43, then below the 18° floor`, `keyhole in 01:10, up to 2.6° off`.
     """
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None:
         return ""
     if pursuit.phase in (Phase.FOLLOWING, Phase.REWINDING, Phase.READY):

@@ -67,7 +67,7 @@ class TrackHead(Pane):
             cells.put(1, 1, HOW if motion_mend(view) is None else f"{follow} {FIND}", "dim")
 
     def _selector(self, cells: Cells, y: int, view: View) -> None:
-        desk, pursuit = view.track, pursuit_of(view)
+        desk, pursuit = view.track, pursuit_of(view.state)
         mode = Mode.WATCH if desk is None else desk.mode
         if pursuit is not None:
             mode = Mode.FOLLOW if plan_of(view) is None or shown_is_followed(view) else Mode.WATCH

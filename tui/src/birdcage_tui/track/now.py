@@ -83,7 +83,7 @@ class TrackNow(Pane):
     @staticmethod
     def _big(cells: Cells, view: View) -> bool:
         """Write error and loss, or the seconds until it moves, in big digits; return whether there was any."""
-        left_s, sample, pursuit = countdown_s(view), sample_of(view), pursuit_of(view)
+        left_s, sample, pursuit = countdown_s(view), sample_of(view), pursuit_of(view.state)
         if left_s is not None:
             x = put_big(cells, 1, 0, f"{max(left_s, 0.0):.0f}", "warn-strong")
             cells.put(x + 1, 1, "s until it moves", "warn-strong")
@@ -103,7 +103,7 @@ class TrackNow(Pane):
     @staticmethod
     def lines(view: View, width: int, *, big: bool = False) -> list[tuple[str, str]]:
         """Return (ink, words); without what stands in big digits."""
-        desk, pursuit, sample = view.track, pursuit_of(view), sample_of(view)
+        desk, pursuit, sample = view.track, pursuit_of(view.state), sample_of(view)
         found: list[tuple[str, str]] = []
         if desk is not None and desk.unfinished is not None and pursuit is None:
             left = desk.unfinished

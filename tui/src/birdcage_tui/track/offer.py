@@ -67,7 +67,7 @@ def _when(at_s: float, view: View) -> str:
 
 
 def _follow_words(name: str, plan: Plan | None, view: View) -> tuple[str, str]:
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is not None and shown_is_followed(view) and pursuit.phase not in BROKEN_OFF:
         return "bar", f"{name} is followed already."
     first = release_mend(view)

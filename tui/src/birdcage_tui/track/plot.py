@@ -115,7 +115,7 @@ class TrackSky(Pane):
     @staticmethod
     def _marks(cells: Cells, polar: Polar, view: View) -> None:
         """Draw target, command and dish. While all three stand in one cell, the dish wins, and the target is beside."""
-        state, position, pursuit = view.state, view.state.position, pursuit_of(view)
+        state, position, pursuit = view.state, view.state.position, pursuit_of(view.state)
         sample = sample_of(view) if shown_is_followed(view) else None
         command = None
         if sample is not None:

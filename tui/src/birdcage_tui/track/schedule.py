@@ -111,7 +111,7 @@ def _whys(why: str) -> tuple[str, ...]:
 
 def _instead(view: View, rows: list[Scheduled]) -> tuple[str, float | None] | None:
     """Return what a person follows while autotrack is on, and until when (None: until it is left); None for nothing."""
-    pursuit = pursuit_of(view)
+    pursuit = pursuit_of(view.state)
     if pursuit is None or not pursuit.plan.legs:
         return None
     plan, day = pursuit.plan, pursuit.plan.day

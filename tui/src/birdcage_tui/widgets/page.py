@@ -18,10 +18,10 @@ class Page(Container):
     FIRST_FOCUS: str | None = None
     """The selector of what has the focus on arrival; never a text field. None: nothing has."""
 
-    @property
-    def scope(self) -> str:
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.scope = (id or "").removeprefix("page-")
         """The page's name, which its commands have in `where`."""
-        return (self.id or "").removeprefix("page-")
 
     @property
     def part(self) -> Widget:

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import Protocol, runtime_checkable
-
-from textual.widget import Widget
 
 
 @runtime_checkable
@@ -18,13 +15,3 @@ class Scope(Protocol):
 
     def do(self, command: str) -> bool:
         """Carry out one of them; return False for one that it does not know."""
-
-
-def scopes_of(focused: Widget | None, outermost: Iterable[Widget | None]) -> tuple[Scope, ...]:
-    """Return the scopes from the focused widget outward, then those of `outermost` that were not met on the way."""
-    met: list[Scope] = []
-    chain = [] if focused is None else [focused, *focused.ancestors]
-    for node in (*chain, *outermost):
-        if isinstance(node, Widget) and isinstance(node, Scope) and node not in met:
-            met.append(node)
-    return tuple(met)

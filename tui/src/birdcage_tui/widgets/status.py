@@ -78,7 +78,7 @@ class StatusLine(Pane):
         el = f"{position.el_deg:5.2f}" if position else "--.--"
         mark = "~" if view.modelled else " "
         activity = "HELD" if state.held is not None and not view.moving else ACTIVITY[state.activity]
-        pursuit = pursuit_of(view)
+        pursuit = pursuit_of(view.state)
         if pursuit is not None and state.held is None:
             error = live_words(view, brief=True)
             if state.demo and not wide:
