@@ -126,12 +126,11 @@ class Codec:
     def feed(self, data: bytes) -> list[Event]:
         """Take in what arrived."""
         events: list[Event] = []
-        for raw in data:
-            for byte in self._escapes.take(raw):
-                if byte in b"\r\n":
-                    self._end_line(events)
-                else:
-                    self._take(byte, events)
+        for byte in self._escapes.take(data):
+            if byte in b"\r\n":
+                self._end_line(events)
+            else:
+                self._take(byte, events)
         return events
 
     def idle(self) -> list[Event]:

@@ -11,7 +11,7 @@ _SEQUENCE = re.compile(rb"\x1b(\[[\x20-\x3f]{0,30}[\x40-\x7e]|[()][\x20-\x7e])")
 
 
 class EscapeFilter:
-    """Takes control sequences out of a stream, byte by byte: `ESC [ … letter` and `ESC ( letter`.
+    """Takes control sequences out of a stream: `ESC [ … letter` and `ESC ( letter`.
 
     An ESC that begins neither is let through as the noise that it is.
     """
@@ -19,8 +19,13 @@ class EscapeFilter:
     def __init__(self) -> None:
         self._held = b""
 
-    def take(self, byte: int) -> bytes:
-        """Return what of the stream up to this byte is text."""
+    def take(self, data: bytes) -> bytes:
+        """Return what of the stream up to here is text, and was not returned before."""
+        if not self._held and ESC not in data:
+            return data
+        return b"".join(self._take(byte) for byte in data)
+
+    def _take(self, byte: int) -> bytes:
         if not self._held:
             if byte == ESC:
                 self._held = b"\x1b"
@@ -34,7 +39,7 @@ class EscapeFilter:
             self._held = held
             return b""
         self._held = b""
-        return held[:-1] + self.take(byte)
+        return held[:-1] + self._take(byte)
 
     @staticmethod
     def _may_begin(held: bytes) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 
@@ -46,12 +46,3 @@ class StrayPrompt:
 Event = Reply | ReplyLine | Stray | StrayPrompt
 
 LineSink = Callable[[str], None]
-
-
-def tell(events: Sequence[Event], ticket: int, on_line: LineSink | None, on_stray: LineSink | None) -> None:
-    """Give the lines of one reply to `on_line`, and those that no command asked for to `on_stray`."""
-    for event in events:
-        if isinstance(event, Stray) and on_stray is not None:
-            on_stray(event.text)
-        elif isinstance(event, ReplyLine) and event.ticket == ticket and on_line is not None:
-            on_line(event.text)

@@ -40,14 +40,13 @@ class LineSplitter:
     def feed(self, data: bytes, at: float) -> list[HeardLine]:
         """Take in what arrived at one moment."""
         lines: list[HeardLine] = []
-        for raw in data:
-            for byte in self._escapes.take(raw):
-                if byte in b"\r\n":
-                    text, self._text = self._text.rstrip(), ""
-                    if text:
-                        lines.append(HeardLine(text, self._at))
-                else:
-                    self._take(byte, at)
+        for byte in self._escapes.take(data):
+            if byte in b"\r\n":
+                text, self._text = self._text.rstrip(), ""
+                if text:
+                    lines.append(HeardLine(text, self._at))
+            else:
+                self._take(byte, at)
         return lines
 
     def _take(self, byte: int, at: float) -> None:

@@ -16,7 +16,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.codec import MARK, Codec
 from birdcage.console.diagnosis import KEPT
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.events import Event, LineSink, Reply, ReplyLine, Stray, StrayPrompt, tell
+from birdcage.console.events import Event, LineSink, Reply, ReplyLine, Stray, StrayPrompt
 from birdcage.link.opening import keeps_order
 from birdcage.link.port import Port
 
@@ -234,14 +234,22 @@ class Wire:
                 self.doubt(self.last_received + 2 * self.delay_s)
             self._note(events)
         self.on_bytes(data)
-        tell(events, ticket, on_line, self._on_line)
+        self._tell(events, ticket, on_line)
 
     def idle(self, ticket: int = 0, on_line: LineSink | None = None) -> None:
         """Let the codec know that a deadline passed with nothing arriving."""
         with self._lock:
             events = self.codec.idle()
             self._note(events)
-        tell(events, ticket, on_line, self._on_line)
+        self._tell(events, ticket, on_line)
+
+    def _tell(self, events: Sequence[Event], ticket: int, on_line: LineSink | None) -> None:
+        """Give the lines of one reply to `on_line`, and those that no command asked for to whoever hears such."""
+        for event in events:
+            if isinstance(event, Stray) and self._on_line is not None:
+                self._on_line(event.text)
+            elif isinstance(event, ReplyLine) and event.ticket == ticket and on_line is not None:
+                on_line(event.text)
 
     def _note(self, events: Sequence[Event]) -> None:
         now = self.clock.monotonic()

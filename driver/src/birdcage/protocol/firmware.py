@@ -6,7 +6,7 @@ import math
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, ClassVar, Unpack
+from typing import TYPE_CHECKING, ClassVar, NoReturn, Unpack
 
 from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
@@ -161,7 +161,10 @@ class FirmwareProtocol(ABC):
 
         UnreadablePosition for an answer that is no position: it may be damaged, and `get_position` asks once more.
         """
-        return self._once(lambda: self._read_position(busy_s))
+        try:
+            return self._read_position(busy_s)
+        except CommandRefused as refused:
+            self._tell_unread(refused)
 
     def _read_position(self, busy_s: float) -> Position:
         """Ask `a` once in the motor menu, and read either form that this family prints."""
@@ -169,13 +172,11 @@ class FirmwareProtocol(ABC):
         return position_in(self.console.exchange("a", busy_s=busy_s).lines)
 
     @staticmethod
-    def _once(read: Callable[[], Position]) -> Position:
-        try:
-            return read()
-        except CommandRefused as refused:
-            if refused.reason in (Reason.WRONG_MENU, Reason.UNKNOWN_COMMAND) or refused.trouble is not None:
-                raise
-            raise unreadable(str(refused), (str(refused),)) from refused
+    def _tell_unread(refused: CommandRefused) -> NoReturn:
+        """Raise the refusal of a question for the position, or what it is else: an answer that is no position."""
+        if refused.reason in (Reason.WRONG_MENU, Reason.UNKNOWN_COMMAND) or refused.trouble is not None:
+            raise refused
+        raise unreadable(str(refused), (str(refused),)) from refused
 
     def move_motor(self, motor_id: int, degrees: float, *, busy_s: float = 0.0) -> Taken:
         """Send one axis to an absolute angle. Returns when the dish has answered the command.

@@ -114,7 +114,10 @@ class CarryoutG2Protocol(G2Menus):
 
     def glance(self) -> Position:
         """Read both axes with one `a` within a stream of moves; a late answer is never taken for a later one's."""
-        return self._once(lambda: self._position_in(self.console.hurry("mot", "a", asks=True)))
+        try:
+            return self._position_in(self.console.hurry("mot", "a", asks=True))
+        except CommandRefused as refused:
+            self._tell_unread(refused)
 
     def _read_position(self, busy_s: float) -> Position:
         """Read both axes with one `a` (docs/reference/g2-motors.md, *Position*)."""
