@@ -155,9 +155,9 @@ def test_what_that_program_refuses_is_said_with_its_own_code(run, pty_dish, owne
     beyond = run("set", "speed.elevation", "50", port=pty_dish.path)
     assert beyond.exit_code == 4
     assert "beyond its limit of 45 deg/s" in beyond.stderr
-    lacking = run("get", "temperature", port=pty_dish.path)
+    lacking = run("get", "rainfall", port=pty_dish.path)
     assert lacking.exit_code == 1
-    assert "no feature temperature" in lacking.stderr
+    assert "no feature rainfall" in lacking.stderr
     search = run("set", "tv_search", "on", "--yes", port=pty_dish.path)
     assert search.exit_code == 0, search.stderr
     assert owner.station.state.holder is None, "control is not left with a command that has ended"

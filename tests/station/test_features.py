@@ -76,7 +76,7 @@ def test_nothing_is_read_or_set_while_the_dish_moves(bench):
 
 def test_what_the_dish_lacks_is_refused_with_nothing_sent(bench):
     before = bench.received()
-    for request in (Read(("rssi", "temperature")), Set("rssi", 5.0, "you"), Set("temperature", 5.0, "you")):
+    for request in (Read(("rssi", "rainfall")), Set("rssi", 5.0, "you"), Set("rainfall", 5.0, "you")):
         with pytest.raises(CommandRefused, match="Nothing was sent") as refused:
             bench.station.submit(request).result(bench.step(0.0))
         assert refused.value.reason == "unsupported"

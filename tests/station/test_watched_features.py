@@ -113,7 +113,7 @@ def test_what_a_survey_has_told_is_a_reading_of_its_features_and_not_asked_for_a
 
 def test_what_the_machine_lacks_is_not_read(bench):
     start = bench.clock.monotonic()
-    bench.watch("position", "temperature", "end_tv_search")
+    bench.watch("position", "rainfall", "end_tv_search")
     bench.step(30)
     assert {line for _at, line in received_since(bench, start)} == {"a"}
 

@@ -8,7 +8,6 @@ from textual.widget import Widget
 
 from birdcage_tui.commands.control import PAGE as CONTROL
 from birdcage_tui.control.tabs import TABS, TabRow
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
 
@@ -77,7 +76,7 @@ class Tabbed(Page):
 
     def _seen(self) -> None:
         self.on_resize()
-        cast(AppHost, self.app).paint()
+        self.host.paint()
 
     def on_resize(self) -> None:
         """Choose the layout."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from textual import events
 from textual.app import ComposeResult
@@ -16,7 +16,6 @@ from birdcage_tui.calibrate.lists import ListPane, ObjectsPane, PeaksPane, SetsP
 from birdcage_tui.calibrate.over_sky import OverSkyPane
 from birdcage_tui.calibrate.scatter import ScatterPane
 from birdcage_tui.calibrate.tabs import SetupTabs
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.calibrate_feed import CalibrateSource
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.allowed import can_release
@@ -81,11 +80,6 @@ class CalibratePage(Page):
             yield ObjectsPane(id="calibrate-objects")
             yield PeaksPane(id="calibrate-peaks")
             yield SetsPane(id="calibrate-sets")
-
-    @property
-    def host(self) -> AppHost:
-        """The app."""
-        return cast(AppHost, self.app)
 
     @property
     def source(self) -> CalibrateSource | None:

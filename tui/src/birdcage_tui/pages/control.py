@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 from birdcage.base.errors import ConfigError
 from birdcage.base.presets import Preset
 from birdcage.station.requests import Engage, Goto, ReleaseMotors, SetSpeed, Stow
@@ -26,7 +24,6 @@ from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
 from birdcage_tui.control.tabbing import Tabbed
 from birdcage_tui.control.tabs import TabRow
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.goto.reach import refusal_of
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import YOU, View
@@ -135,11 +132,6 @@ class ControlPage(Tabbed):
         right, words = self.query_one("#control-right"), "" if self.has_class("-roomy") else "p presets"
         if (right.border_subtitle or "") != words:  # setting it repaints, equal or not
             right.border_subtitle = words
-
-    @property
-    def host(self) -> AppHost:
-        """The app."""
-        return cast(AppHost, self.app)
 
     def do(self, command: str) -> bool:
         """Do what is the page's own, on the tab that it belongs to; hand on what a widget of it does."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import cast
-
 from birdcage.base.config import feed_label
 from textual import events, on
 from textual.app import ComposeResult
@@ -11,7 +9,6 @@ from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
 from textual.widgets import Input
 
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.passes.figures import PassFigures
 from birdcage_tui.passes.head import PassHeadRow
 from birdcage_tui.passes.listing import PassList
@@ -115,11 +112,6 @@ class PassesPage(Page):
             upper.styles.layout, upper.styles.height = "horizontal", "1fr"
         for pane in self.query(Pane):
             pane.redraw()
-
-    @property
-    def host(self) -> AppHost:
-        """The app."""
-        return cast(AppHost, self.app)
 
     # The time machine.
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 from textual.containers import Container
 from textual.widget import Widget
 
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -22,6 +25,11 @@ class Page(Container):
         super().__init__(id=id)
         self.scope = (id or "").removeprefix("page-")
         """The page's name, which its commands have in `where`."""
+
+    @property
+    def host(self) -> AppHost:
+        """The app, as far as a page needs it."""
+        return cast(AppHost, self.app)
 
     @property
     def part(self) -> Widget:
