@@ -27,7 +27,7 @@ class DishSettings(Section):
         None, "Serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:g2.", env="BIRDCAGE_PORT"
     )
     firmware: str | None = setting(
-        None, "Firmware of the dish: g2 or hal205; not set: the port is asked.", env="BIRDCAGE_FIRMWARE"
+        None, "Firmware of the dish, as `--firmware` takes it; not set: the port is asked.", env="BIRDCAGE_FIRMWARE"
     )
     baud: int | None = setting(
         None,
