@@ -81,7 +81,7 @@ class Station:
     def stop(self, by, *, leaving=False):
         self.stops.append(by)
 
-    def subscribe(self, listener):
+    def subscribe(self, listener, *_kinds):
         self.listeners.append(listener)
         return lambda: self.listeners.remove(listener)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from birdcage.antenna.pointing_model import PointingModel
 from birdcage.base.geometry import wrap_360
@@ -30,13 +30,13 @@ class Alignment:
     """How far the azimuth axis leans to the north."""
     aw_deg: float = 0.0
     """How far it leans to the west."""
+    model: PointingModel | None = field(init=False, repr=False, compare=False)
+    """Collimation and tilt; None if there is neither, and true and dish differ by the offsets alone."""
 
-    @property
-    def model(self) -> PointingModel | None:
-        """Collimation and tilt; None if there is neither, and true and dish differ by the offsets alone."""
-        if self.ca_deg or self.an_deg or self.aw_deg:
-            return PointingModel(self.ca_deg, self.an_deg, self.aw_deg)
-        return None
+    def __post_init__(self) -> None:
+        leans = self.ca_deg or self.an_deg or self.aw_deg
+        model = PointingModel(self.ca_deg, self.an_deg, self.aw_deg) if leans else None
+        object.__setattr__(self, "model", model)
 
     def to_true(self, az_deg: float, el_deg: float) -> tuple[float, float]:
         """Return the true direction of dish angles."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
@@ -37,6 +38,8 @@ from birdcage.rotator.own import OwnFacts, with_speeds
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.values import Look, Position
 
+FRESH_S = 1.2
+"""A dish that was seen at rest so short a time ago is where it was: at rest the station looks once a second."""
 CLOSE_S = 2.0
 """How long leaving may try to bring the console back to its root menu."""
 
@@ -253,6 +256,8 @@ class BirdcageAntenna:
             if motion is not None:
                 self.commands.see(dish, motion, rate)
         self.rest.see(dish, now)
+        at_rest = self.rest.rests and motion is None and self.strategy.reads_position
+        self.moving.seen_at_rest = now if at_rest else -math.inf
         az_deg, el_deg = self.alignment.to_true(dish.azimuth, dish.elevation)
         self._last_position = Position(az_deg, el_deg, dish.skew)
         return self._last_position
@@ -260,7 +265,8 @@ class BirdcageAntenna:
     def move_to(self, azimuth: float, elevation: float) -> None:
         """Point there (true degrees) and return when the dish has answered the commands.
 
-        Reads the position first. With `leapfrog_enabled`, aims beyond the target as documented, within the limits.
+        Reads the position first, unless it was read just now, at rest. With `leapfrog_enabled`, aims beyond the target
+        as documented, within the limits.
         After an answer in unknown words only the position tells whether it was taken (`commands.are_sure`).
         BelowFloor (a ValueError) below the floor, MotionRefused for every other limit; nothing is sent then.
         """
@@ -285,17 +291,18 @@ class BirdcageAntenna:
         return self.alignment.to_true(dish_az, dish_el)
 
     def aim(self, az_deg: float, el_deg: float, *, leapfrog: bool, clamp: bool) -> tuple[float, float]:
-        """Read the position, and return the dish angles of a true direction that the gate lets through."""
+        """Return the dish angles of a true direction that the gate lets through.
+
+        Reads the position first, unless the dish was seen at rest less than `FRESH_S` ago
+        (`docs/decisions/0054-a-move-from-rest.md`).
+        """
         self._check_thread()
         if self._latch is not None:
             self._latch.check()
         gate = self.gate
-        try:
-            current = self.get_position()
-        except PositionUnknown as unknown:
-            if unknown.reason is not UNTOLD:
-                raise
-            current = None
+        current = self._last_position if gate.position is not None else None
+        if current is None or self.rotator.clock.monotonic() - self.moving.seen_at_rest > FRESH_S:
+            current = self._position_or_untold()
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
         if not leapfrog or current is None or gate.model.mapping is not None:
@@ -309,16 +316,26 @@ class BirdcageAntenna:
             return dish_az, dish_el
         return beyond
 
+    def _position_or_untold(self) -> Position | None:
+        try:
+            return self.get_position()
+        except PositionUnknown as unknown:
+            if unknown.reason is not UNTOLD:
+                raise
+            return None
+
     def to_dish(self, az_deg: float, el_deg: float, *, clamp: bool = False) -> tuple[float, float]:
         """Return the dish angles of a true direction; `clamp` as in `point`."""
         gate = self.gate
         dish_az, dish_el = self.alignment.to_dish(az_deg, el_deg)
         if gate.model.mapping is not None:
             return self.rotator.nearest_allowed(dish_az, dish_el, self.alignment.to_true, any_miss=clamp)
-        return dish_az, min(max(dish_el, gate.el_floor_deg), gate.el_max_deg) if clamp else dish_el
+        return dish_az, gate.nearest_el_deg(dish_el) if clamp else dish_el
 
     def miss_deg(self, az_deg: float, el_deg: float) -> float:
         """Return by how much a machine with a mapping misses a true direction; 0 for any other."""
+        if self.gate.model.mapping is None:
+            return 0.0
         return self.rotator.nearest(*self.alignment.to_dish(az_deg, el_deg))[1]
 
     @contextmanager
@@ -334,9 +351,11 @@ class BirdcageAntenna:
 
     def turn_known(self, dish_az: float) -> float | None:
         """Return how far the azimuth will turn; None when the turn of the cable is not known."""
-        gate = self.gate
-        turns, cable = gate.cable_turns(dish_az), gate.cable_deg
-        return turns[0] - cable if turns and cable is not None else None
+        cable_deg = self.gate.cable_deg
+        if cable_deg is None:
+            return None
+        turns = self.gate.cable_turns(dish_az)
+        return turns[0] - cable_deg if turns else None
 
     def begins_now(self, motor: int) -> None:
         """One axis begins its way only now: the dish has waited before it took the command."""

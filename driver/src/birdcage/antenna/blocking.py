@@ -82,17 +82,15 @@ class MoveCommands:
         now, rate = clock.monotonic(), clock.rate
         for motor in to:
             self._open.pop(motor, None)
-        usual_s, runs_s = (
-            rotator.line.round_trip_s or 0.0,
-            max((axis.eta(rate) - now for axis in runs), default=0.0),
-        )
+        usual_s = runs_s = 0.0
+        if runs:
+            usual_s, runs_s = rotator.line.round_trip_s or 0.0, max(axis.eta(rate) - now for axis in runs)
         busy_s = max((axis.ends_by(rate) - now for axis in runs), default=0.0)
         if not known:
             busy_s = longest_s(antenna.model) / rate
         if antenna.model.has_speeds and not antenna.speeds_deg_s:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
         for motor, dish_deg in to.items():
-            self.overshoots.sent(motor)
             self._aims.pop(motor, None)
             antenna.gate.check_axis(motor, dish_deg)
         answer = rotator.send(to, busy_s=max(0.0, busy_s))
@@ -113,7 +111,6 @@ class MoveCommands:
 
     def steer(self, motor: int, dish_deg: float) -> None:
         """Send one axis as one of a stream; raises as `Rotator.send`."""
-        self.overshoots.sent(motor)
         self._aims.pop(motor, None)
         self._antenna.gate.check_axis(motor, dish_deg)
         answer = self.answers[motor] = self._antenna.rotator.send({motor: dish_deg}, hurry=True)

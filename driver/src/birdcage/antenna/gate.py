@@ -22,7 +22,7 @@ class MotionBounds:
 
     el_min_deg: float | None = None
     el_max_deg: float | None = None
-    floor_deg: float | None = None
+    floor_deg: float = -math.inf
     """The lowest elevation that the caller's configuration allows; the higher of floor and limit counts."""
     cable_min_deg: float | None = None
     cable_max_deg: float | None = None
@@ -100,19 +100,15 @@ class MotionGate:
         self.released.discard(index)
 
     @property
-    def el_min_deg(self) -> float:
-        """The lowest elevation allowed, without the caller's floor."""
-        return self.bounds.el_min_deg if self.bounds.el_min_deg is not None else self.model.elevation.min_deg
+    def el_limits_deg(self) -> tuple[float, float]:
+        """The lowest and the highest elevation allowed, whoever asks: a caller's own floor may lie higher."""
+        axis, low, high = self.model.elevation, self.bounds.el_min_deg, self.bounds.el_max_deg
+        return axis.min_deg if low is None else low, axis.max_deg if high is None else high
 
-    @property
-    def el_max_deg(self) -> float:
-        """The highest elevation allowed."""
-        return self.bounds.el_max_deg if self.bounds.el_max_deg is not None else self.model.elevation.max_deg
-
-    @property
-    def el_floor_deg(self) -> float:
-        """The lowest elevation allowed to this caller: the higher of the limit and the caller's floor."""
-        return max(self.el_min_deg, self.bounds.floor_deg if self.bounds.floor_deg is not None else -math.inf)
+    def nearest_el_deg(self, el_deg: float) -> float:
+        """Return the elevation nearest to this one that the caller may be sent to."""
+        low, high = self.el_limits_deg
+        return min(max(el_deg, low, self.bounds.floor_deg), high)
 
     def check(self, az_deg: float | None, el_deg: float | None) -> None:
         """Raise `MotionRefused` unless the dish may go there from where it stands; None leaves that axis be."""
@@ -124,7 +120,7 @@ class MotionGate:
 
     def check_axis(self, index: int, deg: float) -> None:
         """Raise `MotionRefused` unless this one axis may go there, from where the dish stands."""
-        if self.model.numbered[index].index == self.model.azimuth.index:
+        if index == self.model.azimuth.index:
             self.check(deg, None)
         else:
             self.check(None, deg)
@@ -302,14 +298,16 @@ class MotionGate:
 
     def _check_elevation(self, el_deg: float) -> None:
         plus = self.bounds.el_offset_deg
-        if (by := self.el_floor_deg - el_deg) > 0:
-            floor = self.el_floor_deg + plus
+        low, high = self.el_limits_deg
+        low = max(low, self.bounds.floor_deg)
+        if (by := low - el_deg) > 0:
+            floor = low + plus
             raise BelowFloor(
                 f"Elevation {el_deg + plus:.2f}° is {by:.2f}° below the floor of {floor:.2f}°. Nothing was sent.",
                 limit_deg=floor, by_deg=by,
             )  # fmt: skip
-        if (by := el_deg - self.el_max_deg) > 0:
-            ceiling = self.el_max_deg + plus
+        if (by := el_deg - high) > 0:
+            ceiling = high + plus
             raise MotionRefused(
                 f"Elevation {el_deg + plus:.2f}° is {by:.2f}° above the limit of {ceiling:.2f}°. Nothing was sent.",
                 reason=Reason.EL_LIMIT, limit_deg=ceiling, by_deg=by,
@@ -317,6 +315,8 @@ class MotionGate:
 
     def _check_sectors(self, start: Position, az_deg: float, el_deg: float) -> None:
         """Refuse a motion that cuts a sector: the axes may move together or in turn, so the whole box counts."""
+        if not self.bounds.sectors:
+            return
         if self.model.mapping is not None:
             self._check_sectors_along(start, az_deg, el_deg)
             return
@@ -335,7 +335,7 @@ class MotionGate:
 
     def _check_sectors_along(self, start: Position, az_deg: float, el_deg: float) -> None:
         """Refuse a way along a machine's own arc that leads through a sector, or ends in one."""
-        points = [point for _, point in mapped_points(self.model, start, az_deg, el_deg)] if self.bounds.sectors else []
+        points = [point for _, point in mapped_points(self.model, start, az_deg, el_deg)]
         for sector in self.bounds.sectors:
             within = [
                 point.elevation for point in points

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,17 +23,15 @@ class MotionState:
 
     def __init__(self) -> None:
         self.lock = threading.RLock()
-        self._model: DishMotion | None = None
+        self.model: DishMotion | None = None
+        """The motion as modelled; None at rest, and where nothing is known of it. Set by the methods below only."""
+        self.seen_at_rest = -math.inf
+        """When it was last seen at rest since its last motion was begun, ended or forgotten; monotonic seconds."""
         self._busy: MoveKind | None = None
         self.taken = 0
         """How many motions the machine has taken, at least in one axis."""
         self.is_kept = False
         """Whether nothing of the motion was let out yet: a STOP that is latched now keeps all of it."""
-
-    @property
-    def model(self) -> DishMotion | None:
-        """The motion as modelled; None at rest, and where nothing is known of it."""
-        return self._model
 
     @property
     def busy(self) -> MoveKind | None:
@@ -62,21 +61,23 @@ class MotionState:
     def assume(self, model: DishMotion | None) -> DishMotion | None:
         """Take something for the motion under way; return what was until now."""
         with self.lock:
-            before, self._model = self._model, model
+            before, self.model = self.model, model
+            if before is not model:
+                self.seen_at_rest = -math.inf
             return before
 
     def take_back(self, model: DishMotion | None, before: DishMotion | None) -> None:
         """What was assumed did not begin: the machine does what it did. Nothing if more is known meanwhile."""
         with self.lock:
-            if self._model is model:
-                self._model = before
+            if self.model is model:
+                self.model = before
 
     def correct(self, better: Callable[[DishMotion], DishMotion]) -> DishMotion | None:
         """Know the same motion better, by a reading or from when it began; return it. None at rest."""
         with self.lock:
-            if self._model is not None:
-                self._model = better(self._model)
-            return self._model
+            if self.model is not None:
+                self.model = better(self.model)
+            return self.model
 
     def end(self) -> None:
         """The machine rests."""
@@ -84,7 +85,9 @@ class MotionState:
 
     def forget(self) -> None:
         """It goes otherwise than modelled, or where it goes is no longer known: STOP has to look first."""
-        self.assume(None)
+        with self.lock:
+            self.assume(None)
+            self.seen_at_rest = -math.inf
 
     def keep_busy(self, kind: MoveKind | None) -> None:
         """Note what the machine is busy with from now on; None: it listens again."""

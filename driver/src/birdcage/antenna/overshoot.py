@@ -59,10 +59,6 @@ class OvershootWatch:
         self._sure: dict[int, float] = {}
         """When each move began, by motor, of which the dish has told that it took it and no reading was counted yet."""
 
-    def sent(self, motor: int) -> None:
-        """A command goes out: what it does is not known before it is answered."""
-        self._sure.pop(motor, None)
-
     def taken(self, motor: int, motion: DishMotion | None) -> None:
         """Take in that the dish has told that it took the last command of a motor."""
         for axis in () if motion is None or motion.silent else (motion.azimuth, motion.elevation):

@@ -64,7 +64,7 @@ class MoveSender:
             in_turn = sorted(changes, key=lambda each: each[0] != first)
             calls = [dict(in_turn)] if antenna.model.sends_together and changes else [{m: deg} for m, deg in in_turn]
             for call in calls:
-                runs = running(under_way, antenna.motion or planned, sent)
+                runs = running(under_way, antenna.motion or planned, sent) if under_way is not None or sent else ()
                 antenna.commands.send(call, runs, known=from_rest, without=without)
                 antenna.moving.taken, now = taken + 1, antenna.rotator.clock.monotonic()
                 self.begun_by |= dict.fromkeys(call, now)

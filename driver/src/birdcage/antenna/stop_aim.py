@@ -54,5 +54,6 @@ class StopAim:
     def _retarget(self, az_deg: float, el_deg: float) -> StopOrder:
         self._antenna.commands.forget_aims()
         gate = self._antenna.gate  # an axis may rest a little beyond its limit, where it cannot be sent
-        el_deg = min(max(el_deg, gate.el_min_deg), gate.el_max_deg)
+        low, high = gate.el_limits_deg
+        el_deg = min(max(el_deg, low), high)
         return StopOrder(StopBy.RETARGET, self._antenna.rotator.retarget(az_deg, el_deg))

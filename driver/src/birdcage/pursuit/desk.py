@@ -33,7 +33,7 @@ class PursuitDesk(PursuitOrders):
         self._thread: threading.Thread | None = None
         self._closing = False
         self._now = DeskNow(clock.utc())
-        self._unsubscribe = station.subscribe(self._hear)
+        self._unsubscribe = station.subscribe(self._hear, PursuitChanged, Followed, LinkChanged)
         self.crash: BaseException | None = None
         """What ended the thread, if a fault of birdcage did."""
 
@@ -105,9 +105,8 @@ class PursuitDesk(PursuitOrders):
             self._now = DeskNow(self._clock.utc(), problem=f"The pursuit desk stopped: {crash!r}")
             self._tell(self._now)
 
-    def _hear(self, event: Event) -> None:
-        if isinstance(event, PursuitChanged | Followed | LinkChanged):
-            self._orders.put(self._work.look_again)
+    def _hear(self, _event: Event) -> None:
+        self._orders.put(self._work.look_again)
 
 
 class _OrderQueue:

@@ -37,7 +37,7 @@ class TunerSource:
         self._lock = threading.Lock()
         self._in_pursuit = False
         """Whether it was read for the target that is followed."""
-        self._unsubscribe = station.subscribe(self._on_event)
+        self._unsubscribe = station.subscribe(self._on_event, ReadingRead, PursuitChanged)
 
     @property
     def facts(self) -> SignalFacts:

@@ -153,7 +153,7 @@ class ControlCaller:
             if isinstance(event, StopConfirmed) and event.report.confirmed is not None and event.at >= called:
                 confirmed.set()
 
-        unsubscribe = self._station.subscribe(hear)
+        unsubscribe = self._station.subscribe(hear, StopConfirmed)
         try:
             self._station.stop(by)
             confirmed.wait(CONFIRM_S)

@@ -49,7 +49,7 @@ class ControlServer:
         self._listener.setblocking(False)
         self._thread = threading.Thread(target=self._listen, name="control server", daemon=True)
         self._thread.start()
-        self._unsubscribe = station.subscribe(self._hear)
+        self._unsubscribe = station.subscribe(self._hear, LinkChanged)
 
     def close(self) -> None:
         """Stop listening, take the file away, and let callers have their answer."""

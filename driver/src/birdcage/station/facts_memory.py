@@ -34,7 +34,7 @@ class FactsMemory:
         self._key: str | None = None
         self._file: FactsFile | None = None
         antenna.commands.on_blocking = self._see_it_wait
-        store.subscribe(self._hear)
+        store.subscribe(self._hear, PositionRead)
 
     def meet(self, port: str) -> None:
         """Take in that the dish is at `port` from now on."""

@@ -93,7 +93,7 @@ class SleepInhibitor:
         """Whether the dish moves, and whether a pass is waited for or followed: asleep, it would be missed."""
         self._raw = False
         """Whether a raw line may have begun the motion: nothing need tell when that one ends."""
-        self._unsubscribe = station.subscribe(self._hear)
+        self._unsubscribe = station.subscribe(self._hear, PursuitChanged, ActivityChanged)
 
     def close(self) -> None:
         """Let the machine sleep; waits for the helper process to end, a second at most."""

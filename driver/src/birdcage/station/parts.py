@@ -52,4 +52,5 @@ class Parts:
     def free_wire(self) -> None:
         """Have the console in the motor menu for what comes next. LinkError unless the dish answers."""
         self.require_link("nothing is sent")
-        self.watches.end_excursion()
+        if self.watches.excursion is not None:
+            self.watches.end_excursion()

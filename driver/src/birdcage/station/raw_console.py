@@ -73,12 +73,14 @@ class RawConsole:
 
     def due(self) -> float | None:
         """Return when to look at the line under way, or to give the console back; None while no one talks."""
+        if self._holder is None:
+            return None
         if self._is_over:
             return self._last
         line_due = self.line.due()
         if line_due is not None:
             return line_due
-        return None if self._holder is None else max(self._last, self.line.answered_at) + IDLE_S
+        return max(self._last, self.line.answered_at) + IDLE_S
 
     @property
     def _is_over(self) -> bool:

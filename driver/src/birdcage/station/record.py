@@ -20,4 +20,4 @@ def keep_journal(station: Station, journal: Journal) -> None:
             task = event.task
             journal.append(JournalEntry(event.utc, "task", task.kind, f"{demo}{task.holder}: {task.why}"))
 
-    station.subscribe(listen)
+    station.subscribe(listen, FaultRaised, TaskChanged)

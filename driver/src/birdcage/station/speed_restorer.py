@@ -21,6 +21,8 @@ class SpeedRestorer:
     def __init__(self, store: StateStore, antenna: BirdcageAntenna, reader: DishReader) -> None:
         self._store, self._antenna, self._reader = store, antenna, reader
         self._before: dict[int, float] = {}
+        self.are_changed = False
+        """Whether any is still to be put back."""
         self._saved: SavedSpeeds | None = None
 
     def remember(self, saved: SavedSpeeds) -> None:
@@ -28,11 +30,6 @@ class SpeedRestorer:
         self._saved = saved
         self._before = saved.read()
         self._show()
-
-    @property
-    def are_changed(self) -> bool:
-        """Whether any is still to be put back."""
-        return bool(self._before)
 
     def set(self, speeds_deg_s: Mapping[int, float]) -> None:
         """Set the greatest speed of axes, by motor number. Raises as `Rotator.write`."""
@@ -67,6 +64,7 @@ class SpeedRestorer:
         self._show()
 
     def _show(self) -> None:
+        self.are_changed = bool(self._before)
         self._store.change(speeds_lent=MappingProxyType(dict(self._before)))
 
     def _send(self, speeds_deg_s: Mapping[int, float]) -> None:

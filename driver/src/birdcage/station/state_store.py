@@ -24,7 +24,7 @@ class StateStore:
         self.clock = clock
         self.state = state
         self._lock = threading.Lock()
-        self._listeners: tuple[Listener, ...] = ()
+        self._listeners: tuple[tuple[Listener, tuple[type[Event], ...]], ...] = ()
 
     def stamp(self) -> tuple[float, datetime]:
         """Return the monotonic and UTC time of an event that happens now."""
@@ -51,20 +51,22 @@ class StateStore:
                 owners[source] = holder
             self.state = replace(self.state, signal_owners=MappingProxyType(owners))
 
-    def subscribe(self, listener: Listener) -> Callable[[], None]:
-        """Tell `listener` every event, on the station's thread. Returns what ends it."""
+    def subscribe(self, listener: Listener, *kinds: type[Event]) -> Callable[[], None]:
+        """Tell `listener` the events of these kinds, all by default, on the station's thread. Returns what ends it."""
         with self._lock:
-            self._listeners += (listener,)
+            self._listeners += ((listener, kinds),)
 
         return lambda: self._drop(listener)
 
     def _drop(self, listener: Listener) -> None:
         with self._lock:
-            self._listeners = tuple(other for other in self._listeners if other is not listener)
+            self._listeners = tuple(other for other in self._listeners if other[0] is not listener)
 
     def tell(self, event: Event) -> None:
         """Tell all listeners. What one raises is raised; it is not told anything more."""
-        for listener in self._listeners:
+        for listener, kinds in self._listeners:
+            if kinds and not isinstance(event, kinds):
+                continue
             try:
                 listener(event)
             except BaseException:

@@ -26,6 +26,7 @@ from birdcage.station.control import Control
 from birdcage.station.dish_monitor import DishMonitor
 from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
+from birdcage.station.events import Event
 from birdcage.station.facts_memory import FactsMemory
 from birdcage.station.parts import Parts
 from birdcage.station.pursuit_state import Phase
@@ -39,7 +40,7 @@ from birdcage.station.rewire import Rewire
 from birdcage.station.saved_speeds import SavedSpeeds
 from birdcage.station.settings import StationSettings
 from birdcage.station.signals import Signals
-from birdcage.station.state import MOVING, StationState
+from birdcage.station.state import MOVING, LinkPhase, StationState
 from birdcage.station.state_store import Listener, StateStore
 from birdcage.station.stop_pending import StopReach
 from birdcage.station.stopper import Stopper
@@ -137,9 +138,12 @@ class Station:
         """The port as it was last asked for; `state.port` is where it is now. Any thread."""
         return self._connection.asked_port
 
-    def subscribe(self, listener: Listener) -> Callable[[], None]:
-        """Hear every event, on the station's thread: do nothing slow there. Returns what ends it."""
-        return self._store.subscribe(listener)
+    def subscribe(self, listener: Listener, *kinds: type[Event]) -> Callable[[], None]:
+        """Hear the events of these kinds, all by default, on the station's thread: do nothing slow there.
+
+        Returns what ends it.
+        """
+        return self._store.subscribe(listener, *kinds)
 
     def on_way(self, listener: Callable[[AxisWay], None]) -> None:
         """Tell `listener`, on the station's thread, how far each axis is sent. One listener."""
@@ -238,15 +242,14 @@ class Station:
         while not self._closing.is_set():
             self._notice()
             now = self.clock.monotonic()
-            due = self._due(now)
+            due, work = self._next(now)
             if due <= now:
-                self._work(now)
-                if now >= until:
-                    return
-                continue
+                self._hosted = work == self._host.tick
+                self._guard(work)
             if now >= until:
                 return
-            self._guard(partial(self._listen, min(due, until, now + LOOK_AT_CLOCK_S)))
+            if due > now:
+                self._guard(partial(self._listen, min(due, until, now + LOOK_AT_CLOCK_S)))
 
     def _listen(self, until: float) -> None:
         """Wait; take in what comes unasked."""
@@ -273,46 +276,45 @@ class Station:
                 self._antenna.adopt(None)
                 self._wake.close()
 
-    def _due(self, now: float) -> float:
-        if self._inbox or (self._connection.is_up and self._host.restore_due):
-            return now
-        times = [self._raw_console.due(), self._connection.due, self._stopper.due, self._host.due(now)]
-        if self._connection.is_up:
-            times += [self._mover.due, self._monitor.due(now)]
-        return min((time for time in times if time is not None), default=math.inf)
+    def _next(self, now: float) -> tuple[float, Callable[[], None]]:
+        """Return the next piece of work, and when it is due: of what is due now, what ranks highest.
 
-    def _work(self, now: float) -> None:
-        """Do the one piece of work that ranks highest: STOP, link, motion, requests, then looking."""
+        In this order: STOP, link, motion, requests, then looking. A request has its turn after a task's piece of work.
+        """
+        link_is_up = self._store.state.link.state is LinkPhase.UP
+        ranked: list[tuple[float | None, Callable[[], None]]] = [
+            (self._raw_console.due(), self._raw_console.tick),  # before STOP's follow-up, which needs the console
+            (self._stopper.due, self._follow_stop),
+            (self._connection.due, self._connect),
+        ]
+        if link_is_up:
+            ranked += [
+                (now if self._host.restore_due else None, self._host.restore),
+                (self._mover.due, self._mover.tick),
+            ]
+        task, request = (self._host.due(now), self._host.tick), (now if self._inbox else None, self._serve_next)
+        ranked += [request, task] if self._hosted else [task, request]
+        due, work = math.inf, self._monitor.tick
+        for at, each in ranked:
+            if at is not None and max(at, now) < due:
+                due, work = max(at, now), each
+        if due > now and link_is_up:
+            look_at = self._monitor.due(now)
+            if look_at is not None and look_at < due:
+                due, work = look_at, self._monitor.tick
+        return due, work
 
-        def is_due(time: float | None) -> bool:
-            return time is not None and time <= now
-
-        hosted, self._hosted = self._hosted, False
-        if is_due(self._raw_console.due()):
-            self._guard(self._raw_console.tick)  # before STOP's follow-up, which needs the console
-        elif is_due(self._stopper.due):
-            self._guard(self._stopper.tick)
-            if self._connection.was_answered():
-                self._monitor.met()
-        elif is_due(self._connection.due):
-            self._guard(self._connect)
-        elif self._connection.is_up and self._host.restore_due:
-            self._guard(self._host.restore)
-        elif self._connection.is_up and is_due(self._mover.due):
-            self._guard(self._mover.tick)
-        elif is_due(self._host.due(now)) and not (hosted and self._inbox):
-            self._hosted = True
-            self._guard(partial(self._host.tick, now))
-        elif self._inbox:
-            self._serve(*self._inbox.popleft())
-        else:
-            self._guard(self._monitor.tick)
+    def _follow_stop(self) -> None:
+        self._stopper.tick()
+        if self._connection.was_answered():
+            self._monitor.met()
 
     def _connect(self) -> None:
         if self._connection.attempt():
             self._monitor.met()
 
-    def _serve(self, request: Request, future: Future[object], stops_seen: int) -> None:
+    def _serve_next(self) -> None:
+        request, future, stops_seen = self._inbox.popleft()
         if not future.set_running_or_notify_cancel():
             return
         try:
@@ -331,8 +333,6 @@ class Station:
             if not future.done():
                 future.set_exception(Stopped("The station has failed.", reason=Reason.CLOSING))
             raise
-        finally:
-            self._note()
 
     @staticmethod
     def _fail(future: Future[object], error: BirdcageError) -> None:
@@ -367,9 +367,11 @@ class Station:
     def _notice(self) -> None:
         """Take STOPs and look at the clock."""
         self._wake.clear()
-        self._stopper.take_calls()
+        if self._control.latched:  # as it is before a STOP counts as called
+            self._stopper.take_calls()
         self._monitor.check_clock()
-        self._host.stopped()
+        if self._control.latched:
+            self._host.stopped()
 
     def _on_wake(self) -> None:
         """Notice what happened in the middle of an exchange; end it when the station ends."""

@@ -195,7 +195,7 @@ class StepRunner:
         elevation, deg = step.axis == model.elevation.index, step.deg
         gate = self._antenna.gate
         if elevation:
-            limit = min(max(deg, gate.el_floor_deg), gate.el_max_deg)
+            limit = gate.nearest_el_deg(deg)
             deg = limit if abs(limit - deg) <= ROUNDING_DEG else deg
         if queues and model.slew is not None and self._way_deg(step) > model.slew.least_deg:
             return self._send_long(step)
@@ -359,7 +359,7 @@ class StepRunner:
 
     def _go(self, az_deg: float, el_deg: float) -> None:
         azimuth, gate = self._antenna.model.azimuth, self._antenna.gate
-        limit = min(max(el_deg, gate.el_floor_deg), gate.el_max_deg)
+        limit = gate.nearest_el_deg(el_deg)
         el_deg = limit if abs(limit - el_deg) <= ROUNDING_DEG else el_deg
         whole = azimuth.max_deg - azimuth.min_deg >= 360.0
         true = self._antenna.alignment.to_true(az_deg % 360.0 if whole else az_deg, el_deg)

@@ -117,6 +117,7 @@ class Stopper:
 
     def release(self, stops_seen: int) -> None:
         """Let go of the latch, unless STOP was called after the release was asked for: then Held."""
+        self.take_calls()  # a STOP that is released has ended what it stopped
         with self._lock:
             if self.count != stops_seen:
                 raise Held("STOP came after this release: the dish stays HELD.")

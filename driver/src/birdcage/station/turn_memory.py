@@ -55,7 +55,7 @@ class TurnMemory:
         self._expected: DishAsLeft | None = None
         """What the first reading must agree with."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
-        store.subscribe(self._hear)
+        store.subscribe(self._hear, PositionRead, ActivityChanged)
         signals.port_found.connect(self.meet)
         signals.position_read.connect(self.recall)
         signals.restarted.connect(self.drop)
@@ -94,11 +94,11 @@ class TurnMemory:
         if self._writer is not None:
             self._writer.close(CLOSE_S)
 
-    def _hear(self, event: Event) -> None:
+    def _hear(self, _event: Event) -> None:
         """Keep how it stands, whenever it is seen at rest."""
         state = self._store.state
         resting = state.activity is Activity.IDLE and state.motion is None and state.position_lost is None
-        if not isinstance(event, PositionRead | ActivityChanged) or not resting or state.position is None:
+        if not resting or state.position is None:
             return
         here, cable_deg = state.position, self._gate.cable_deg
         self._keep(None if cable_deg is None else DishAsLeft(cable_deg, here.dish_az_deg, here.dish_el_deg))

@@ -74,7 +74,7 @@ class DriveTask(Task):
                 targets.append((model.azimuth.index, to_deg))
         if self._el:
             to_deg = el_deg + self._el * (EACH_DEG if in_turn else _ahead_deg(model.elevation))
-            to_deg = min(max(to_deg, gate.el_floor_deg), gate.el_max_deg)
+            to_deg = gate.nearest_el_deg(to_deg)
             if abs(to_deg - here.elevation) > model.elevation.step_deg:
                 targets.append((model.elevation.index, to_deg))
         return targets

@@ -137,8 +137,9 @@ class TaskHost:
         times = (run.due(now) for run in self._runs)
         return min((time for time in times if time is not None), default=None)
 
-    def tick(self, now: float) -> None:
+    def tick(self) -> None:
         """Go on with the task that is due, the one that has control first."""
+        now = self._store.clock.monotonic()
         for run in sorted(self._runs, key=lambda run: not run.leads):
             due = run.due(now)
             if due is not None and due <= now:
@@ -148,8 +149,9 @@ class TaskHost:
     @property
     def restore_due(self) -> bool:
         """Whether speeds that a task has changed are to be put back now, before anything else moves."""
-        over = not any(run.streams for run in self._runs)
-        return over and self.speeds.are_changed and not self._parts.stopper.is_pending
+        if not self.speeds.are_changed or self._parts.stopper.is_pending:
+            return False
+        return not any(run.streams for run in self._runs)
 
     def restore(self) -> None:
         """Put them back. What the dish refuses is told as a fault, and not tried again."""
