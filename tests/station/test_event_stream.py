@@ -33,6 +33,11 @@ def owner(tmp_path):
     owner.server.close()
 
 
+def hearing(owner):
+    """Who is told of events."""
+    return [listener for listener, _kinds in owner.board._listeners]
+
+
 def until(seen, within_s=10.0) -> None:
     end = time.monotonic() + within_s
     while not seen():
@@ -92,7 +97,7 @@ def test_who_reads_too_slowly_is_told_and_dropped_and_the_station_does_not_wait(
     assert len(events) < 20 * LONGEST_QUEUE
     assert [each["text"].split()[0] for each in events] == [str(number) for number in range(len(events))]
     assert (last["type"], last["why"]) == ("EventsEnded", "slow")
-    until(lambda: owner.board._listeners == (owner.server._hear,))
+    until(lambda: hearing(owner) == [owner.server._hear])
 
 
 def test_who_never_reads_is_dropped(owner, monkeypatch) -> None:
@@ -100,7 +105,7 @@ def test_who_never_reads_is_dropped(owner, monkeypatch) -> None:
     with listening(owner):
         for _ in range(20 * LONGEST_QUEUE):
             tell(owner, "x" * 500)
-        until(lambda: owner.board._listeners == (owner.server._hear,))
+        until(lambda: hearing(owner) == [owner.server._hear])
         assert call_owner(owner.found, Stop("you"), "you")["confirmed"] is True
 
 
@@ -110,7 +115,7 @@ def test_a_caller_that_hangs_up_is_forgotten_with_what_it_watched(owner) -> None
     caller.close()
     until(lambda: len(owner.asked) == 2)
     assert owner.asked[1] == Unwatch("you (outside)")
-    until(lambda: owner.board._listeners == (owner.server._hear,))
+    until(lambda: hearing(owner) == [owner.server._hear])
 
 
 def test_a_watch_that_another_caller_has_replaced_stays(owner) -> None:
