@@ -1,7 +1,8 @@
 """How many functions in how many files of ours an arrow key runs, from the key to the bytes of the jog at the dish.
 
-The app's side ends where it hands the jog to the station; the station's begins there. A function counts once, however
-often it runs. Exact, not timed: the same on every machine. Peer: the same script in a checkout of another commit.
+The second key of a person who has control, at a dish that has come to rest since the first. The app's side ends where
+it hands the jog to the station; the station's begins there. A function counts once, however often it runs. Exact, not
+timed: the same on every machine. Peer: the same script in a checkout of another commit.
 """
 
 from __future__ import annotations
@@ -109,8 +110,8 @@ async def play(app_side: Seen, station_side: Seen) -> None:
     async with app.run_test(size=(120, 36)) as pilot:
         session.step(12)
         await pilot.press("f2")
-        await pilot.pause()
-        session.step(1)
+        await pilot.press("left")
+        session.step(6)
         app.paint()
         await pilot.pause()
         station.submit = handed_over  # type: ignore[method-assign]
@@ -119,7 +120,7 @@ async def play(app_side: Seen, station_side: Seen) -> None:
         app_side.off()
         del station.submit
         station_side.on()
-        session.step(1)
+        station.step(clock.monotonic() + 1.0)
         station_side.off()
 
 
@@ -131,10 +132,13 @@ def main() -> None:
     app_side, station_side = (min(sides, key=lambda seen: len(seen.calls)) for sides in zip(*runs, strict=True))
     if "--tree" in sys.argv:
         print(app_side.tree(), "\n----\n", station_side.tree(), sep="")
-    figures = {}
+    figures: dict[str, dict[str, int]] = {}
     for name, seen in (("app", app_side), ("station", station_side)):
         figures[name] = {"functions": len(seen.functions), "files": len(seen.files), "calls": len(seen.calls)}
         print(f"{name:8} {len(seen.functions):4} functions in {len(seen.files):3} files, {len(seen.calls):5} calls")
+    both = {"functions": app_side.functions | station_side.functions, "files": app_side.files | station_side.files}
+    figures["together"] = {name: len(found) for name, found in both.items()}
+    print(f"together {len(both['functions']):4} functions in {len(both['files']):3} files")
     print(json.dumps(figures))
 
 

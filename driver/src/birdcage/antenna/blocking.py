@@ -88,7 +88,7 @@ class MoveCommands:
         busy_s = max((axis.ends_by(rate) - now for axis in runs), default=0.0)
         if not known:
             busy_s = longest_s(antenna.model) / rate
-        if antenna.model.has_speeds and not antenna.speeds_deg_s:
+        if busy_s > 0.0 and not antenna.speeds_deg_s and antenna.model.has_speeds:
             busy_s *= SLOWER  # it may have been set to less than such dishes can do
         for motor, dish_deg in to.items():
             self._aims.pop(motor, None)

@@ -43,7 +43,8 @@ class RawConsole:
         self._monitor, self._effects, self._permit_motion = monitor, effects, permit
         self.line = LineUnderWay(parts.store, parts.antenna, parts.stopper, parts.reader, effects)
         self.menus = MenuCommands(parts.antenna.raw)
-        self._holder: str | None = None
+        self.holder: str | None = None
+        """Who talks; None while no one does."""
         self._last = 0.0
 
     @property
@@ -65,7 +66,7 @@ class RawConsole:
     def begin(self, holder: str) -> None:
         """The lease is taken: nothing is sent from now on that `holder` did not type."""
         self._last = self._store.clock.monotonic()
-        begins, self._holder = self._holder is None, holder
+        begins, self.holder = self.holder is None, holder
         self._monitor.paused = True
         if begins:
             self._effects.clear()
@@ -73,18 +74,16 @@ class RawConsole:
 
     def due(self) -> float | None:
         """Return when to look at the line under way, or to give the console back; None while no one talks."""
-        if self._holder is None:
-            return None
         if self._is_over:
             return self._last
         line_due = self.line.due()
         if line_due is not None:
             return line_due
-        return max(self._last, self.line.answered_at) + IDLE_S
+        return None if self.holder is None else max(self._last, self.line.answered_at) + IDLE_S
 
     @property
     def _is_over(self) -> bool:
-        return self._holder is not None and self._store.state.holder != self._holder
+        return self.holder is not None and self._store.state.holder != self.holder
 
     def tick(self) -> None:
         """Look at the line under way, or give the console back."""
@@ -92,8 +91,8 @@ class RawConsole:
             self.end()
         elif self.line.due() is not None:
             self.line.tick()
-        elif self._holder is not None:
-            self._control.give_back(self._holder)
+        elif self.holder is not None:
+            self._control.give_back(self.holder)
             self.end()
 
     def raw(self, request: ask.Raw, future: Future[object]) -> None:
@@ -130,7 +129,7 @@ class RawConsole:
 
     def end(self) -> None:
         """The console is the station's again: see where the dish is, and read again what may have changed."""
-        holder, self._holder = self._holder, None
+        holder, self.holder = self.holder, None
         try:
             self.line.finish()
         finally:
@@ -198,7 +197,7 @@ class RawConsole:
             raise Held(f"STOP is latched: `{line}` was not sent. A person must release it first.")
 
     def _permit(self, verdict: Verdict | None) -> None:
-        if self._store.state.holder != self._holder:
+        if self._store.state.holder != self.holder:
             raise Stopped("Control was taken away before the line went out: it was not sent.")
         if verdict is not None and verdict.grade >= Grade.MOVES:
             self._permit_motion()

@@ -282,11 +282,10 @@ class Station:
         In this order: STOP, link, motion, requests, then looking. A request has its turn after a task's piece of work.
         """
         link_is_up = self._store.state.link.state is LinkPhase.UP
-        ranked: list[tuple[float | None, Callable[[], None]]] = [
-            (self._raw_console.due(), self._raw_console.tick),  # before STOP's follow-up, which needs the console
-            (self._stopper.due, self._follow_stop),
-            (self._connection.due, self._connect),
-        ]
+        ranked: list[tuple[float | None, Callable[[], None]]] = []
+        if self._raw_console.holder is not None:  # before STOP's follow-up, which needs the console
+            ranked.append((self._raw_console.due(), self._raw_console.tick))
+        ranked += [(self._stopper.due, self._follow_stop), (self._connection.due, self._connect)]
         if link_is_up:
             ranked += [
                 (now if self._host.restore_due else None, self._host.restore),
