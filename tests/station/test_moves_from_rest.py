@@ -48,7 +48,7 @@ def test_on_its_way_it_is_read_first(bench):
 
 
 def test_when_the_last_look_is_old_it_is_read_first():
-    bench = Bench().connect(8.0)  # without a watcher nobody looks
+    bench = Bench().connect(8.0)  # without a watcher the station does not look
     assert said(bench, Goto(20.0, 40.0, "you"))[0] == READ
 
 

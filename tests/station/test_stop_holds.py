@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, Stopped
 from birdcage.station.requests import (
     AcknowledgeFault,
     Engage,
@@ -215,3 +215,16 @@ def check(watched, story, seconds):
         searches = watched.bench.firmware != "g2" and ("reboot",) in story
         assert searches or not watched.bench.device.truth().moving
         assert watched.wrong == []
+
+
+def test_a_release_ends_what_a_stop_stopped_that_was_not_taken_up_before(bench):
+    future = bench.station.submit(Goto(210, 45, "you"))
+    bench.step(1)
+    assert bench.device.truth().moving
+    bench.station.stop("you")
+    bench.station._stopper.release(bench.station._stopper.count)  # as a release that is served at once
+    assert isinstance(future.exception(0), Stopped)
+    assert (bench.state.held, bench.state.motion) == (None, None)
+    assert bench.state.last_stop.by == "you"
+    bench.step(6)
+    assert (bench.state.held, bench.state.fault) == (None, None), "nothing of that STOP comes later"

@@ -396,14 +396,3 @@ def test_a_dish_that_answers_stop_after_a_silence_has_a_link_and_a_position(benc
     assert (LinkPhase.SILENT, False) in seen
     assert (LinkPhase.SILENT, True) not in seen
     assert seen[-1] == (LinkPhase.UP, True)
-
-
-def test_a_release_ends_what_the_stop_before_it_stopped_even_if_nobody_looked_between(bench):
-    future = slewing(bench)
-    bench.station.stop("you")
-    bench.station._stopper.release(bench.station._stopper.count)  # as a release that is served at once
-    assert isinstance(future.exception(0), Stopped)
-    assert (bench.state.held, bench.state.motion) == (None, None)
-    assert bench.state.last_stop.by == "you"
-    bench.step(6)
-    assert (bench.state.held, bench.state.fault) == (None, None), "nothing of that STOP comes later"

@@ -302,7 +302,12 @@ class BirdcageAntenna:
         gate = self.gate
         current = self._last_position if gate.position is not None else None
         if current is None or self.rotator.clock.monotonic() - self.moving.seen_at_rest > FRESH_S:
-            current = self._position_or_untold()
+            try:
+                current = self.get_position()
+            except PositionUnknown as unknown:
+                if unknown.reason is not UNTOLD:
+                    raise
+                current = None
         dish_az, dish_el = self.to_dish(az_deg, el_deg, clamp=clamp)
         gate.check(dish_az, dish_el)
         if not leapfrog or current is None or gate.model.mapping is not None:
@@ -315,14 +320,6 @@ class BirdcageAntenna:
             # Only the overshoot is not allowed: the target itself is, so go there exactly.
             return dish_az, dish_el
         return beyond
-
-    def _position_or_untold(self) -> Position | None:
-        try:
-            return self.get_position()
-        except PositionUnknown as unknown:
-            if unknown.reason is not UNTOLD:
-                raise
-            return None
 
     def to_dish(self, az_deg: float, el_deg: float, *, clamp: bool = False) -> tuple[float, float]:
         """Return the dish angles of a true direction; `clamp` as in `point`."""
