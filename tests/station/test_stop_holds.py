@@ -86,13 +86,14 @@ class Watched:
             interject(lines)
 
         protocol.interject = interjecting
-        work = self.bench.station._work
+        find_next = self.bench.station._next
 
-        def working(now):
-            self.turns += 1
-            work(now)
+        def counting(now):
+            due, work = find_next(now)
+            self.turns += due <= now
+            return due, work
 
-        self.bench.station._work = working
+        self.bench.station._next = counting
 
     def _wrap_opening(self):
         opened = self.bench.opened
