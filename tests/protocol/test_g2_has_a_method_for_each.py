@@ -1,28 +1,23 @@
-"""Each command of the inventory that does no harm has a typed method: all are called, and their lines are noted."""
+"""Each command of the inventory that does no harm is sent by some feature or method: all are called."""
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
+import pytest
 from birdcage.console.session import Console
 from birdcage.protocol.g2 import CarryoutG2Protocol
+from birdcage.protocol.g2.features import RSSI_READS
 from birdcage.rotator.verdict import Grade
 
-CALLS = (
-    lambda g: (g.get_position(), g.identity(), g.read_speeds(), g.settings_table(), g.nvs.read(20)),
-    lambda g: (g.drivers.current_mode(), g.drivers.faults(), g.drivers.step_mode()),
-    lambda g: (g.drivers.step_size_sixteenths(), g.drivers.torque(), g.drivers.clear_faults()),
-    lambda g: (g.adc.board_id(), g.adc.board_revision(), g.adc.rssi_counts(), g.adc.monitor(1)),
-    lambda g: (g.dipswitch.read(), g.eeprom.read(0), g.latlon.triangulate(199, 43, 214, 37)),
-    lambda g: (g.gpio.direction("B0"), g.gpio.read("B0"), g.gpio.registers()),
-    lambda g: (g.peak.rssi(), g.peak.switch_status()),
-    lambda g: (g.motors.list(), g.motors.steps(), g.motors.velocities(), g.motors.max_velocities()),
-    lambda g: (g.motors.max_accelerations(), g.motors.gains(), g.motors.life(), g.motors.life_details()),
-    lambda g: (g.motors.elevation_limits(), g.motors.elevation_to_steps(45), g.motors.steps_to_elevation(3120)),
-    lambda g: (g.stepper.max_speeds_deg_s(), g.stepper.max_accelerations(), g.stepper.gains()),
-    lambda g: (g.tuner.agc(), g.tuner.snr_db(), g.tuner.network_id(), g.tuner.lnb_volts(), g.tuner.rssi()),
-    lambda g: (g.tuner.identity(), g.tuner.channel(), g.tuner.lock_status(), g.tuner.quick_lock_status()),
-    lambda g: (g.tuner.statistics(), g.tuner.diagnostics(), g.tuner.frequencies()),
-    lambda g: (g.tuner.diseqc.address(), g.tuner.diseqc.pre_transmit_ms(), g.tuner.diseqc.reply_timeout_ms()),
-    lambda g: (g.tuner.diseqc.tone_threshold_counts(), g.tuner.diseqc.lnb_config(), g.tuner.diseqc.lnb_identity()),
+BESIDE_THE_FEATURES = (
+    lambda g: (g.get_position(), g.nvs.read(20), g.adc.monitor(1)),
+    lambda g: (g.eeprom.read(0), g.latlon.triangulate(199, 43, 214, 37), g.gpio.direction("B0"), g.gpio.read("B0")),
+    lambda g: (g.motors.max_velocities(), g.motors.max_accelerations()),
+    lambda g: (g.motors.elevation_to_steps(45), g.motors.steps_to_elevation(3120)),
+    lambda g: (g.tuner.quick_lock_status(), g.tuner.diagnostics()),
+    lambda g: (g.tuner.diseqc.lnb_config(), g.tuner.diseqc.lnb_identity()),
     lambda g: (g.tuner.diseqc.lnb_status(), g.tuner.diseqc.switch_status()),
 )
 NEEDS_AN_ARGUMENT = {
@@ -30,7 +25,7 @@ NEEDS_AN_ARGUMENT = {
     "dir": "dir B0",
     "r": "r B0",
     "l": "l 1 2 3 4",
-    "rssi": "rssi 10",
+    "rssi": f"rssi {RSSI_READS}",
     "ela2s": "ela2s 45",
     "els2a": "els2a 900",
 }
@@ -39,22 +34,42 @@ ANSWERED_OTHERWISE = {("nvs", "e")}
 """`d <index>` tells more than `e <index>`."""
 
 
-def test_each_harmless_command_is_sent_by_some_method(simulated, monkeypatch):
-    g2 = simulated("seed=1&az=-158&el=42")
-    sent = set()
+@pytest.fixture
+def g2(simulated):
+    return simulated("seed=1&az=-158&el=42")
+
+
+@pytest.fixture
+def sent(monkeypatch):
+    """Return the lines that go out, each with its menu."""
+    sent = []
     run, stream = Console.run, Console.stream
 
     def note_run(console, menu, command, **how):
-        sent.add((menu, command.split()[0]))
+        sent.append((menu, command))
         return run(console, menu, command, **how)
 
     def note_stream(console, command, *how):
-        sent.add((console.place, command))
+        sent.append((console.place, command))
         return stream(console, command, *how)
 
     monkeypatch.setattr(Console, "run", note_run)
     monkeypatch.setattr(Console, "stream", note_stream)
-    for call in CALLS:
+    return sent
+
+
+def questions(g2):
+    """Return each way to read features, with the ids of its rows."""
+    asked = {}
+    for name, row in g2.feature_table._rows.items():
+        asked.setdefault(row.read, set()).add(name)
+    return asked
+
+
+def test_each_harmless_command_is_sent_by_some_feature_or_method(g2, sent):
+    for ask in questions(g2):
+        ask(g2)
+    for call in BESIDE_THE_FEATURES:
         call(g2)
     harmless = {
         (command.menu, command.name)
@@ -66,4 +81,27 @@ def test_each_harmless_command_is_sent_by_some_method(simulated, monkeypatch):
         }
     }  # fmt: skip
     assert len(harmless) > 50
-    assert harmless - sent == ANSWERED_OTHERWISE
+    assert harmless - {(menu, line.split()[0]) for menu, line in sent} == ANSWERED_OTHERWISE
+
+
+def test_reading_features_sends_only_harmless_lines_of_one_menu_and_tells_each_of_them(g2, sent):
+    known = g2.model.features
+    for ask, names in questions(g2).items():
+        sent.clear()
+        told = ask(g2)
+        assert names <= told.keys() <= known.keys()
+        ((menu, lines),) = {(known[name].cost.menu, known[name].cost.lines) for name in names}
+        assert len(sent) <= lines
+        assert {where for where, _line in sent} == {menu}
+        assert {g2.judge(line, menu, homed=False).grade for _menu, line in sent} == {Grade.HARMLESS}
+
+
+def test_the_page_has_the_command_of_each_feature():
+    page = (Path(__file__).parents[2] / "docs/reference/g2-commands.md").read_text(encoding="utf-8")
+    table = page.split("## As features")[1].split("\n## ")[0]
+    told = [
+        name for names in re.findall(r"`: ((?:`[^`]+`(?:, )?)+)", table) for name in re.findall(r"`([^`]+)`", names)
+    ]
+    named = [name.replace("<axis>", axis) for name in told for axis in ("azimuth", "elevation")]
+    assert set(named) == CarryoutG2Protocol.model.features.keys()
+    assert len(told) == len(set(told))

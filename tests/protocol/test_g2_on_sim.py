@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import CommandRefused, NoReply
-from birdcage.protocol.g2.motor_values import ElevationLimits
-from birdcage.protocol.g2.reading import PerAxis
 from birdcage.protocol.g2.scan import parse_scan_point
+
+AXES = ("azimuth", "elevation")
+
+
+def axes(name, azimuth, elevation):
+    """Return what is told of both axes, as features."""
+    return dict(zip((f"{name}.{axis}" for axis in AXES), (azimuth, elevation), strict=True))
 
 
 @pytest.fixture(
@@ -18,20 +23,20 @@ def g2(simulated, request):
 
 
 def test_drivers(g2):
-    assert g2.drivers.faults() == PerAxis(False, False)
-    assert g2.drivers.current_mode() == PerAxis("AUTO", "AUTO")
-    assert g2.drivers.step_mode() == PerAxis("AUTO", "AUTO")
-    assert g2.drivers.step_size_sixteenths() == PerAxis(1, 1)
-    assert g2.drivers.torque() == PerAxis("LOW", "LOW")
+    assert g2.drivers.faults() == axes("driver", "OK", "OK")
+    assert g2.drivers.current_mode() == axes("current_mode", "AUTO", "AUTO")
+    assert g2.drivers.step_mode() == axes("step_mode", "AUTO", "AUTO")
+    assert g2.drivers.step_size() == axes("step_size", 1, 1)
+    assert g2.drivers.torque() == axes("torque", "LOW", "LOW")
     g2.drivers.clear_faults()
 
 
 def test_torque_is_high_while_it_moves(simulated, clock):
     g2 = simulated("seed=1&az=-180&el=45&az_speed=5")
     g2.move_motor(0, 350.0)
-    assert g2.drivers.torque() == PerAxis("HIGH", "LOW")
+    assert g2.drivers.torque() == axes("torque", "HIGH", "LOW")
     clock.advance(60.0)
-    assert g2.drivers.torque() == PerAxis("LOW", "LOW")
+    assert g2.drivers.torque() == axes("torque", "LOW", "LOW")
 
 
 def test_board_and_raw_levels(g2):
@@ -43,9 +48,8 @@ def test_board_and_raw_levels(g2):
 
 
 def test_switches_and_pins(g2):
-    switches = g2.dipswitch.read()
-    assert (switches.raw, switches.code) == (0xFFFFFF01, 101)
-    pins = g2.gpio.registers().states
+    assert g2.dipswitch.read() == {"dip_switches": "0xffffff01", "dip_code": 101}
+    pins = g2.gpio.registers()
     assert pins["E29"] is None
     assert pins["D11"] == 1
     assert set(pins.values()) == {0, 1, None}
@@ -62,29 +66,28 @@ def test_memory(g2):
 
 
 def test_place_from_two_satellites(g2):
-    place = g2.latlon.triangulate(199.2, 42.9, 213.8, 37.5)
-    assert -90.0 < place.lat_deg < 90.0
-    assert place.angles_deg == (199.2, 42.9, 213.8, 37.5)
+    lat_deg, lon_deg = g2.latlon.triangulate(199.2, 42.9, 213.8, 37.5)
+    assert -90.0 < lat_deg < 90.0
+    assert -180.0 < lon_deg < 180.0
 
 
 def test_peak(g2):
-    levels = g2.peak.rssi()
-    assert levels.even_counts > levels.odd_counts > 100
+    even, odd = g2.peak.rssi()
+    assert even > odd > 100
     assert g2.peak.switch_status() == 0
 
 
 def test_motors_at_rest(g2):
-    assert [(motor.index, motor.name) for motor in g2.motors.list()] == [(0, "AZIMUTH"), (1, "ELEVATION")]
-    steps = g2.motors.steps()
-    assert steps.el_steps == pytest.approx(45.0 / 360.0 * 24960, abs=2)
-    assert g2.motors.velocities().az_deg_s == 0.0
-    assert (g2.motors.max_velocities().az_deg_s, g2.motors.max_velocities().el_deg_s) == (65.0, 45.0)
-    assert g2.motors.max_accelerations().az_deg_s2 == pytest.approx(400.0, abs=10.0)
-    assert g2.motors.elevation_limits() == ElevationLimits(18.0, 65.0, 65.0)
+    assert g2.motors.states() == axes("motor", "HOLDING", "HOLDING")
+    assert g2.motors.steps()["steps.elevation"] == pytest.approx(45.0 / 360.0 * 24960, abs=2)
+    assert g2.motors.velocities() == axes("velocity", 0.0, 0.0)
+    assert g2.motors.max_velocities() == axes("speed", 65.0, 45.0)
+    assert g2.motors.max_accelerations()["acceleration.azimuth"] == pytest.approx(400.0, abs=10.0)
+    assert g2.motors.elevation_limits() == {"floor": 18.0, "ceiling": 65.0, "home.elevation": 65.0}
     assert g2.motors.elevation_to_steps(45.0) == 3120
     assert g2.motors.steps_to_elevation(3120) == pytest.approx(45.0)
     assert g2.motors.steps_to_elevation(2**30) is None
-    assert [gains.motor for gains in g2.motors.gains()] == [0, 1]
+    assert set(g2.motors.gains()) == {f"{name}.{axis}" for name in ("kp", "kv", "ki") for axis in AXES}
     assert g2.motors.life()
     assert g2.motors.life_details()
 
@@ -92,26 +95,24 @@ def test_motors_at_rest(g2):
 def test_motors_that_move(g2, clock):
     g2.move_motor(0, 350.0)
     clock.advance(0.5)
-    assert abs(g2.motors.velocities().az_deg_s) > 10.0
+    assert abs(g2.motors.velocities()["velocity.azimuth"]) > 10.0
 
 
 def test_an_unhomed_axis_has_no_steps(simulated):
-    steps = simulated("seed=1&unhomed=1").motors.steps()
-    assert (steps.az_steps, steps.el_steps) == (None, None)
+    assert simulated("seed=1&unhomed=1").motors.steps() == {}
 
 
 def test_homing_both(g2):
     g2.enter_motor_menu()
     report = g2.home_motors()
-    assert (report.wrap_min_deg, report.wrap_max_deg, report.turn) == (-423.33, 23.33, 0)
+    assert (report["wrap_min_deg"], report["wrap_max_deg"], report["turn"]) == (-423.33, 23.33, 0)
     assert g2.get_position().elevation == pytest.approx(65.0, abs=0.1)
 
 
 def test_stepper(g2):
     assert g2.stepper.max_speeds_deg_s()[0] == pytest.approx(65.0, abs=0.01)
-    assert g2.stepper.max_accelerations().az_deg_s2 == pytest.approx(396.0)
-    (gains,) = g2.stepper.gains()
-    assert (gains.kp, gains.kv, gains.ki) == (250.0, 50.0, None)
+    assert g2.stepper.max_accelerations()["acceleration.azimuth"] == pytest.approx(396.0)
+    assert g2.stepper.gains() == axes("step_kp", 250.0, 250.0) | axes("step_kv", 50.0, 50.0)
 
 
 def test_settings(g2):
@@ -129,56 +130,58 @@ def test_settings(g2):
 
 
 def test_identity(g2):
-    found = g2.identity()
-    assert (found.software, found.system_id, found.antenna_id) == ("02.02.48", "TWELINCH", "12-IN G2")
-    assert (found.program_flash_kb, found.ram_kb, found.core_clock_mhz, found.bus_clock_mhz) == (512, 128, 96, 48)
-    assert (found.flash_base, found.flash_size_bytes) == (65536, 458752)
+    assert g2.system.identity() == {
+        "version": "02.02.48", "system_id": "TWELINCH", "antenna_id": "12-IN G2",
+        "mcu_package": "144-pin", "mcu_revision": "2.4", "mcu_mask_set": "4N22D",
+        "mcu_flash": 512, "mcu_ram": 128, "mcu_core_clock": 96, "mcu_bus_clock": 48,
+        "flash_base": 65536, "flash_size": 458752,
+    }  # fmt: skip
 
 
 def test_a_tuner_that_hears_nothing(g2):
-    assert g2.tuner.network_id() is None
+    assert g2.tuner.network() == "none"
     assert g2.tuner.snr_db() < 3.0
     assert g2.tuner.lnb_volts() == pytest.approx(18.0, abs=0.5)
     g2.tuner.supply_13_volts()
     assert g2.tuner.lnb_volts() == pytest.approx(13.0, abs=0.5)
     assert 350 < g2.tuner.rssi(10).average < 600
     (reading,) = g2.tuner.agc()
-    assert reading.network_id is None
-    assert reading.rf_agc_counts is not None
-    assert reading.if_agc_counts is not None
+    assert reading["network"] == "none"
+    assert reading.keys() == {"rf_agc", "if_agc", "snr", "network"}
 
 
 def test_the_tuner_itself(g2):
     found = g2.tuner.identity()
-    assert (found.chip_id, found.revision, found.firmware) == (0x4515, "B0", "113.37")
+    assert (found["tuner_chip"], found["tuner_revision"], found["tuner_firmware"]) == ("0x4515", "B0", "113.37")
     channel = g2.tuner.channel()
-    assert 900.0 < channel.frequency_mhz < 2200.0
-    assert channel.symbol_rate_ksps == 20000.0
-    assert channel.polarisation in ("H", "V")
+    assert 900.0 < channel["frequency"] < 2200.0
+    assert channel["symbol_rate"] == 20000.0
+    assert channel["polarisation"] in ("H", "V")
     locked = g2.tuner.lock_status()
-    assert locked.locked is False
-    assert locked.reads >= locked.no_signal >= 0
-    assert locked.glitches >= 0
-    assert g2.tuner.quick_lock_status().locked is False
+    assert locked["lock"] is False
+    assert locked["tuner_reads"] >= locked["tuner_no_signal"] >= 0
+    assert locked["tuner_glitches"] >= 0
+    assert g2.tuner.quick_lock_status() == {"lock": False}
     assert g2.tuner.statistics()
     assert g2.tuner.diagnostics()
     assert g2.tuner.frequencies()
-    before = channel.frequency_mhz
+    before = channel["frequency"]
     g2.tuner.select(5)
-    assert g2.tuner.channel().frequency_mhz != before
+    assert g2.tuner.channel()["frequency"] != before
     assert g2.tuner.build_table()
     assert g2.tuner.build_table(extended=True)
 
 
 def test_diseqc(g2):
     bus = g2.tuner.diseqc
-    assert (bus.address(), bus.pre_transmit_ms(), bus.reply_timeout_ms()) == (0x11, 15, 210)
+    assert (bus.address(), bus.pre_transmit_ms(), bus.reply_timeout_ms()) == ("0x11", 15, 210)
     assert bus.tone_threshold_counts() == 110
-    assert bus.lnb_status().timed_out
-    assert bus.lnb_identity().timed_out
-    assert bus.switch_status().timed_out
-    assert bus.lnb_config().lines
-    bus.send(bytes.fromhex("E01038F0"))
+    assert bus.lnb_status() is None
+    assert bus.lnb_identity() is None
+    assert bus.switch_status() is None
+    assert bus.lnb_config() in (None, ("3 21180544 238 <4.5",))
+    assert bus.send(bytes.fromhex("E01038F0")) == ("Tx: E0 10 38 F0",)
+    assert bus.send(bytes.fromhex("E21038")) is None
 
 
 def test_lines_of_a_sweep(g2):
@@ -191,11 +194,11 @@ def test_lines_of_a_sweep(g2):
 
 def test_a_tuner_on_a_satellite(simulated):
     g2 = simulated("seed=1&az=-158&el=42")  # DISH at 110 W
-    assert g2.tuner.network_id() is None  # its transponder is vertical, the LNB horizontal
+    assert g2.tuner.network() == "none"  # its transponder is vertical, the LNB horizontal
     g2.tuner.supply_13_volts()
-    assert g2.tuner.network_id() == 0x1002
+    assert g2.tuner.network() == "0x1002"
     assert 3.0 < g2.tuner.snr_db() < 20.0
-    assert g2.tuner.quick_lock_status().locked is True
+    assert g2.tuner.quick_lock_status() == {"lock": True}
     readings = g2.tuner.agc(3)
     assert len(readings) == 3
-    assert all(reading.network_id == 0x1002 and reading.snr_db > 3.0 for reading in readings)
+    assert all(reading["network"] == "0x1002" and reading["snr"] > 3.0 for reading in readings)

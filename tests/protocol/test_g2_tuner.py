@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import NoReply
 from birdcage.console.codec import MARK
-from birdcage.protocol.g2.tuner_values import AgcReading, read_agc, read_channel, read_identity, read_lock, read_volts
+from birdcage.protocol.g2.tuner_values import read_agc, read_channel, read_identity, read_lock, read_volts
 
 TRK, DVB = b"\r\nTRK>", b"dvb\r\nDVB>"
 
@@ -50,13 +50,16 @@ def streaming(play, clock):
         ("snr", ["SNR: 8.5"], lambda g: g.tuner.snr_db(), 8.5),
         ("snr", ["SNR level = 8.5 dB"], lambda g: g.tuner.snr_db(), 8.5),
         ("snr", ["reading ...", "SNR:0"], lambda g: g.tuner.snr_db(), 0.0),
-        ("nid", ["NID: FFFF"], lambda g: g.tuner.network_id(), None),
-        ("nid", ["NID = 0x1002"], lambda g: g.tuner.network_id(), 0x1002),
+        ("nid", ["NID: FFFF"], lambda g: g.tuner.network(), "none"),
+        ("nid", ["NID = 0x1002"], lambda g: g.tuner.network(), "0x1002"),
         ("lnbv", ["LNB Voltage: 13.1"], lambda g: g.tuner.lnb_volts(), 13.1),
         ("lnbv", ["LNB 18.0 V"], lambda g: g.tuner.lnb_volts(), 18.0),
         (
             "agc", ["RF AGC: 1999 IF AGC: 1500 SNR: 0.0 NID: FFFF", "RF AGC: 1990 IF AGC: 1499 SNR: 7.5 NID: 1002"],
-            lambda g: g.tuner.agc(2), (AgcReading(1999, 1500, 0.0, None), AgcReading(1990, 1499, 7.5, 0x1002)),
+            lambda g: g.tuner.agc(2), (
+                {"rf_agc": 1999, "if_agc": 1500, "snr": 0.0, "network": "none"},
+                {"rf_agc": 1990, "if_agc": 1499, "snr": 7.5, "network": "0x1002"},
+            ),
         ),
     ],
 )  # fmt: skip
@@ -97,18 +100,18 @@ def test_a_stream_that_says_nothing_is_no_value_and_ends_all_the_same(streaming,
 @pytest.mark.parametrize(
     ("line", "answer", "question", "value"),
     [
-        ("ovraddr", "0x11", lambda d: d.address(), 0x11),
-        ("ovraddr", "Override address: 0x11", lambda d: d.address(), 0x11),
+        ("ovraddr", "0x11", lambda d: d.address(), "0x11"),
+        ("ovraddr", "Override address: 0x11", lambda d: d.address(), "0x11"),
         ("pretx", "15 ms", lambda d: d.pre_transmit_ms(), 15),
         ("rrto", "RxReplyTimeout 1 is 210 ms", lambda d: d.reply_timeout_ms(), 210),
         ("rrto", "210", lambda d: d.reply_timeout_ms(), 210),
         ("tdthresh", "110 (0.16 counts/mV)", lambda d: d.tone_threshold_counts(), 110),
-        ("di2stat", "RxReplyTimeout", lambda d: d.lnb_status().timed_out, True),
-        ("di2id", "RxReplyTimeout", lambda d: d.lnb_identity().timed_out, True),
-        ("di2rcs", "4 0", lambda d: d.switch_status().timed_out, False),
-        ("di2conf", "3 21180544 238 <4.5", lambda d: d.lnb_config().lines, ("3 21180544 238 <4.5",)),
-        ("send E0 10 38 F0", "", lambda d: d.send(b"\xe0\x10\x38\xf0").timed_out, False),
-        ("send 00", "", lambda d: d.send(b"\0").lines, ()),
+        ("di2stat", "RxReplyTimeout", lambda d: d.lnb_status(), None),
+        ("di2id", "RxReplyTimeout", lambda d: d.lnb_identity(), None),
+        ("di2rcs", "4 0", lambda d: d.switch_status(), ("4 0",)),
+        ("di2conf", "3 21180544 238 <4.5", lambda d: d.lnb_config(), ("3 21180544 238 <4.5",)),
+        ("send E0 10 38 F0", "", lambda d: d.send(b"\xe0\x10\x38\xf0"), ()),
+        ("send 00", "", lambda d: d.send(b"\0"), ()),
     ],
 )
 def test_diseqc(ask, line, answer, question, value):
@@ -132,15 +135,17 @@ def test_a_message_that_does_not_fit_never_leaves(play, message):
         ("diag", "Xp 1\nXp 2", lambda t: t.diagnostics(), ("Xp 1", "Xp 2")),
         ("table", "1 974", lambda t: t.build_table(), ("1 974",)),
         ("tablex", "1 974 H", lambda t: t.build_table(extended=True), ("1 974 H",)),
-        ("ls", "Total reads: 40\nNo signal: 38\nGlitches: 2", lambda t: t.lock_status().no_signal, 38),
+        ("ls", "Total reads: 40\nNo signal: 38\nGlitches: 2", lambda t: t.lock_status()["tuner_no_signal"], 38),
     ],
 )
 def test_the_other_lines(ask, line, answer, question, value):
     assert ask("dvb", line, answer, lambda g: question(g.tuner)) == value
 
 
-@pytest.mark.parametrize(("line", "lines"), [("freqs", "974\n988"), ("qls", "Lock: 1")])
-def test_a_line_with_a_q_in_it_goes_out_of_a_proven_submenu(play, clock, line, lines):
+@pytest.mark.parametrize(
+    ("line", "lines", "told"), [("freqs", "974\n988", ("974", "988")), ("qls", "Lock: 1", {"lock": True})]
+)
+def test_a_line_with_a_q_in_it_goes_out_of_a_proven_submenu(play, clock, line, lines, told):
     text = lines.replace("\n", "\r\n")
     answer = f"{line}\r\n{text}\r\nDVB>".encode()
     mark = MARK.encode() + b"\r"
@@ -150,33 +155,39 @@ def test_a_line_with_a_q_in_it_goes_out_of_a_proven_submenu(play, clock, line, l
     g2.enter_dvb_menu()
     clock.advance(5.0)
     found = g2.tuner.frequencies() if line == "freqs" else g2.tuner.quick_lock_status()
-    assert getattr(found, "lines", found) == tuple(lines.split("\n"))
+    assert found == told
+
+
+IDENTITY = {"tuner_chip": "0x4515", "tuner_revision": "B0", "tuner_firmware": "113.37", "tuner_strap": "0x25018"}
 
 
 def test_identity_by_its_names():
-    lines = ("BCM4515 ID 0x4515 Rev B0 FW v113.37 strap 0x25018",)
-    found = read_identity(lines)
-    assert (found.chip_id, found.revision, found.firmware, found.strap) == (0x4515, "B0", "113.37", 0x25018)
-    split = read_identity(("ID: 0x4515", "Revision: B0", "Firmware version: 113.37", "Strap: 0x25018"))
-    assert (split.chip_id, split.revision, split.firmware, split.strap) == (0x4515, "B0", "113.37", 0x25018)
-    assert read_identity(("nothing known",)).chip_id is None
+    line = "BCM4515 ID 0x4515 Rev B0 FW v113.37 strap 0x25018"
+    assert read_identity((line,)) == {**IDENTITY, "tuner": line}
+    split = ("ID: 0x4515", "Revision: B0", "Firmware version: 113.37", "Strap: 0x25018")
+    assert read_identity(split) == {**IDENTITY, "tuner": "\n".join(split)}
+    assert read_identity(("nothing known",)) == {"tuner": "nothing known"}
+    assert read_identity(()) == {}
 
 
 def test_a_channel_has_units_or_no_number():
     lines = ("Frequency: 1178.10 MHz", "Symbol Rate: 20000 ksps", "Polarity: H")
     found = read_channel(lines)
-    assert (found.frequency_mhz, found.symbol_rate_ksps, found.polarisation) == (1178.1, 20000.0, "H")
-    bare = read_channel(("Freq: 1178100", "Sym: 20000"))
-    assert (bare.frequency_mhz, bare.symbol_rate_ksps, bare.polarisation) == (None, None, None)
-    assert bare.lines == ("Freq: 1178100", "Sym: 20000")
-    assert read_channel(("Freq = 1178100 kHz SymRate = 20 Msps",)).frequency_mhz == pytest.approx(1178.1)
+    assert found == {
+        "frequency": 1178.1, "symbol_rate": 20000.0, "polarisation": "H", "channel": "\n".join(lines),
+    }  # fmt: skip
+    assert read_channel(("Freq: 1178100", "Sym: 20000")) == {"channel": "Freq: 1178100\nSym: 20000"}
+    found = read_channel(("Freq = 1178100 kHz SymRate = 20 Msps",))
+    assert (found["frequency"], found["symbol_rate"]) == (pytest.approx(1178.1), 20000.0)
 
 
 def test_lock_by_its_names():
-    assert read_lock(("Lock: 1",)).locked is True
-    assert read_lock(("Locked = no",)).locked is False
-    assert read_lock(("Unlocked",)).locked is None
-    assert read_lock(("reads: 40 no-signal: 38 glitches: 2",)).glitches == 2
+    assert read_lock(("Lock: 1",)) == {"lock": True}
+    assert read_lock(("Locked = no",)) == {"lock": False}
+    assert read_lock(("Unlocked",)) == {}
+    assert read_lock(("reads: 40 no-signal: 38 glitches: 2",)) == {
+        "tuner_reads": 40, "tuner_no_signal": 38, "tuner_glitches": 2,
+    }  # fmt: skip
 
 
 @pytest.mark.parametrize("line", ["AGC", "RF AGC", "1999 1500", ""])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.protocol.g2.reading import END, START, find, only_whole, search
@@ -19,24 +18,18 @@ _BUS_S = 2.0
 """How long a message and its answer may take beside the time for replies; only a deadline depends on it."""
 
 
-@dataclass(frozen=True, slots=True)
-class DiseqcReply:
-    """What an LNB or switch answered. No source documents the fields of an answer."""
-
-    timed_out: bool
-    """No answer: no switch or LNB that speaks DiSEqC 2.x."""
-    lines: tuple[str, ...]
-    """As printed; `di2conf` has shown `3 21180544 238 <4.5`."""
-
-
 class Diseqc(Room):
-    """Settings of the bus, questions to an LNB, and messages of one's own."""
+    """Settings of the bus, questions to an LNB, and messages of one's own.
+
+    What an LNB or switch answers is handed on as printed: no source documents its fields. None: nothing that speaks
+    DiSEqC 2.x has answered (`RxReplyTimeout`).
+    """
 
     menu: ClassVar[str] = "dvb"
 
-    def address(self) -> int:
-        """Read whom it talks to (`ovraddr`): 0x11 is the first LNB."""
-        return int(find(self._run("ovraddr"), _HEX)[1], 16)
+    def address(self) -> str:
+        """Read whom it talks to (`ovraddr`): `0x11` is the first LNB."""
+        return find(self._run("ovraddr"), _HEX)[0]
 
     def pre_transmit_ms(self) -> int:
         """Read the silence before a message in ms (`pretx`: 15)."""
@@ -50,23 +43,23 @@ class Diseqc(Room):
         """Read from which level on 22 kHz counts as a tone (`tdthresh`: 110 counts, of 0.16 a millivolt)."""
         return only_whole(self._run("tdthresh"))
 
-    def lnb_config(self) -> DiseqcReply:
-        """Ask the LNB for its configuration (`di2conf`)."""
+    def lnb_config(self) -> tuple[str, ...] | None:
+        """Ask the LNB for its configuration (`di2conf`); it has shown `3 21180544 238 <4.5`."""
         return self._ask("di2conf")
 
-    def lnb_identity(self) -> DiseqcReply:
+    def lnb_identity(self) -> tuple[str, ...] | None:
         """Ask the LNB what it is (`di2id`)."""
         return self._ask("di2id")
 
-    def lnb_status(self) -> DiseqcReply:
+    def lnb_status(self) -> tuple[str, ...] | None:
         """Ask the LNB for its status flags (`di2stat`)."""
         return self._ask("di2stat")
 
-    def switch_status(self) -> DiseqcReply:
+    def switch_status(self) -> tuple[str, ...] | None:
         """Ask for the state of the committed switch (`di2rcs`)."""
         return self._ask("di2rcs")
 
-    def send(self, message: bytes) -> DiseqcReply:
+    def send(self, message: bytes) -> tuple[str, ...] | None:
         """Send 1 to 6 bytes: `E0 10 38 F0` chooses the first port of a switch. ValueError for more, or none.
 
         Polarisation or input may change.
@@ -75,9 +68,9 @@ class Diseqc(Room):
             raise ValueError(f"a DiSEqC message has 1 to {LONGEST} bytes, not {len(message)}")
         return self._ask(f"send {message.hex(' ').upper()}")
 
-    def _ask(self, line: str) -> DiseqcReply:
+    def _ask(self, line: str) -> tuple[str, ...] | None:
         reply = self._run(line, takes_s=_BUS_S)
-        return DiseqcReply(search(reply, _TIMEOUT) is not None, reply.lines)
+        return None if search(reply, _TIMEOUT) else reply.lines
 
     def _milliseconds(self, line: str) -> int:
         reply = self._run(line)

@@ -5,20 +5,24 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from birdcage.protocol.g2.motor_values import HomingReport
-from birdcage.protocol.g2.reading import END
+from birdcage.protocol.g2.reading import END, Fields, fields_of
+from birdcage.rotator.feature import Value
 
-_WRAP = re.compile(rf"wrap_min:\s*([-+]?\d+)\s+wrap_max:\s*([-+]?\d+){END}")
-_END = re.compile(rf"\bAZ\s*-\s*Angle:\s*([-+]?\d+)\s+Wrap:\s*([-+]?\d+){END}")
+_WRAP = r"wrap_min:\s*(?P<low>[-+]?\d+)\s+wrap_max:\s*(?P<high>[-+]?\d+)"
+_LAST = r"\bAZ\s*-\s*Angle:\s*(?P<angle>[-+]?\d+)\s+Wrap:\s*(?P<turn>[-+]?\d+)"
+_FIELDS: Fields = {
+    "wrap_min_deg": (re.compile(_WRAP + END), lambda match: int(match["low"]) / 100.0),
+    "wrap_max_deg": (re.compile(_WRAP + END), lambda match: int(match["high"]) / 100.0),
+    "az_printed": (re.compile(_LAST + END), lambda match: int(match["angle"])),
+    "turn": (re.compile(_LAST + END), lambda match: int(match["turn"])),
+}
 
 
-def parse_homing(lines: Iterable[str]) -> HomingReport:
-    """Read `wrap_min:-42333 wrap_max:2333` (centidegrees) and `AZ - Angle: 1 Wrap: 0`, wherever they stand."""
-    text = "\n".join(lines)
-    wrap, end = _WRAP.search(text), _END.search(text)
-    return HomingReport(
-        wrap_min_deg=int(wrap[1]) / 100.0 if wrap else None,
-        wrap_max_deg=int(wrap[2]) / 100.0 if wrap else None,
-        az_printed=int(end[1]) if end else None,
-        turn=int(end[2]) if end else None,
-    )
+def parse_homing(lines: Iterable[str]) -> dict[str, Value]:
+    """Read `wrap_min:-42333 wrap_max:2333` (centidegrees) and `AZ - Angle: 1 Wrap: 0`, wherever they stand.
+
+    `wrap_min_deg` and `wrap_max_deg`: how far the cable lets the azimuth turn from its reference. `az_printed`: where
+    it stands at the end, as a G2+ prints it; the unit is not documented. `turn`: on which turn of the cable. What was
+    not printed is left out.
+    """
+    return fields_of("\n".join(lines), _FIELDS)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused
@@ -17,22 +16,13 @@ _PLACE = re.compile(rf"\bLat\s*=\s*([-+]?\d+)\s+Lon\s*=\s*([-+]?\d+){END}")
 _ENTERED = re.compile(rf"anglesentered\s*=\s*([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+)\s+([-+]?\d+){END}")
 
 
-@dataclass(frozen=True, slots=True)
-class LatLonAnswer:
-    """Where the dish takes itself to be; `angles_deg` are the four that it took, None when it did not say."""
-
-    lat_deg: float
-    lon_deg: float
-    angles_deg: tuple[float, ...] | None
-
-
 class LatLon(Room):
     """Works out a place from the look angles of two geostationary satellites. Sets nothing."""
 
     menu: ClassVar[str] = "latlon"
 
-    def triangulate(self, p1: float, p2: float, p3: float, p4: float) -> LatLonAnswer:
-        """Send four angles in degrees (`l`) and return the place.
+    def triangulate(self, p1: float, p2: float, p3: float, p4: float) -> tuple[float, float]:
+        """Send four angles in degrees (`l`) and return latitude and longitude in degrees.
 
         What the four are is not certain: azimuth and elevation of one satellite, then of the other, most likely.
         CommandRefused (`bad_parameter`) when it tells that it took other angles.
@@ -47,4 +37,4 @@ class LatLon(Room):
             raise CommandRefused(
                 f"Of `{reply.command}` the dish took the angles {angles}.", reason=Reason.BAD_PARAMETER
             )
-        return LatLonAnswer(int(place[1]) / 100.0, int(place[2]) / 100.0, angles)
+        return int(place[1]) / 100.0, int(place[2]) / 100.0

@@ -11,17 +11,13 @@ from birdcage.protocol.g2.peak import Peak
 from birdcage.protocol.g2.pins import Dipswitches, Gpio
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
-from birdcage.protocol.g2.system import DishIdentity, System
+from birdcage.protocol.g2.system import System
 from birdcage.protocol.g2.tuner import Tuner
 from birdcage.protocol.protocol import FirmwareProtocol
 
 
 class G2Menus(FirmwareProtocol):
     """One property a menu. Each raises LinkError when no port is open."""
-
-    def identity(self) -> DishIdentity:
-        """Read who the dish is (`os`, `id`)."""
-        return self.system.identity()
 
     @property
     def tuner(self) -> Tuner:

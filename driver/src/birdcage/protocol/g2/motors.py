@@ -10,13 +10,17 @@ number. A number with decimals is degrees, as with `a` and the settings memory; 
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from typing import ClassVar
 
 from birdcage.protocol.g2.gains import read_gains
-from birdcage.protocol.g2.motor_values import Accelerations, ElevationLimits, Gains, MotorEntry, MotorSpeeds, StepCounts
-from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, search
+from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, per_axis, search
 from birdcage.protocol.g2.room import Room
 from birdcage.protocol.unhomed import is_unhomed
+from birdcage.rotator.feature import Value
+
+FLOOR, CEILING, HOME = "floor", "ceiling", "home.elevation"
+"""The features of the firmware's own elevations."""
 
 _LIMITS = re.compile(rf"Min:\s*({NUMBER})\s+Max:\s*({NUMBER})\s+Home:\s*({NUMBER})")
 _MOTOR = re.compile(r"(?<!\w)([01])\s*[=:)]\s*(AZIMUTH|ELEVATION)\b")
@@ -32,44 +36,39 @@ class Motors(Room):
 
     menu: ClassVar[str] = "mot"
 
-    def list(self) -> tuple[MotorEntry, ...]:
-        """List the motors with what they do (`l`: `0=AZIMUTH`, `1=ELEVATION`)."""
+    def states(self) -> dict[str, Value]:
+        """List the motors (`l`: `0=AZIMUTH`, `1=ELEVATION`); return `motor` by axis, what each does, as printed."""
         reply = self._run("l")
         text = "\n".join(reply.lines)
         heads = list(_MOTOR.finditer(text))
         if not heads:
             raise garbage(reply)
         ends = [head.start() for head in heads[1:]] + [len(text)]
-        return tuple(
-            MotorEntry(int(head[1]), head[2], text[head.end() : end].strip(" ,:-\n") or None)
-            for head, end in zip(heads, ends, strict=True)
-        )
+        states = {head[2]: text[head.end() : end].strip(" ,:-\n") for head, end in zip(heads, ends, strict=True)}
+        return per_axis("motor", {name.lower(): state or None for name, state in states.items()})
 
-    def steps(self) -> StepCounts:
-        """Read the raw positions in microsteps (`p`)."""
+    def steps(self) -> dict[str, Value]:
+        """Read `steps` by axis, the raw positions in microsteps (`p`); none of an axis that is not homed."""
         reply = self._run("p")
         raw = by_motor(reply)
-        if "." in raw.azimuth + raw.elevation:
+        if any("." in text for text in raw.values()):
             raise garbage(reply)
-        return StepCounts(*(None if is_unhomed(int(text)) else int(text) for text in (raw.azimuth, raw.elevation)))
+        return per_axis("steps", {axis: int(text) for axis, text in raw.items() if not is_unhomed(int(text))})
 
-    def velocities(self) -> MotorSpeeds:
-        """Read how fast the axes turn now (`v`)."""
-        raw = by_motor(self._run("v"))
-        return MotorSpeeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+    def velocities(self) -> dict[str, Value]:
+        """Read `velocity` by axis in deg/s: how fast each turns now (`v`)."""
+        return per_axis("velocity", _degrees(by_motor(self._run("v"))))
 
-    def max_velocities(self) -> MotorSpeeds:
-        """Read the greatest speeds (`mv`); those of `stepper`, in microsteps, are quoted with numbers."""
-        raw = by_motor(self._run("mv"))
-        return MotorSpeeds(_degrees(raw.azimuth), _degrees(raw.elevation))
+    def max_velocities(self) -> dict[str, Value]:
+        """Read `speed` by axis in deg/s, the greatest ones (`mv`); those of `stepper` are quoted with numbers."""
+        return per_axis("speed", _degrees(by_motor(self._run("mv"))))
 
-    def max_accelerations(self) -> Accelerations:
-        """Read the greatest accelerations (`ma`)."""
-        raw = by_motor(self._run("ma"))
-        return Accelerations(_degrees(raw.azimuth), _degrees(raw.elevation))
+    def max_accelerations(self) -> dict[str, Value]:
+        """Read `acceleration` by axis in deg/s², the greatest ones (`ma`)."""
+        return per_axis("acceleration", _degrees(by_motor(self._run("ma"))))
 
-    def gains(self) -> tuple[Gains, ...]:
-        """Read the gains of the control loops (`pid`)."""
+    def gains(self) -> dict[str, Value]:
+        """Read `kp`, `kv` and `ki` of the control loops by axis (`pid`)."""
         return read_gains(self._run("pid"))
 
     def life(self) -> tuple[str, ...]:
@@ -80,13 +79,13 @@ class Motors(Room):
         """Read what use the motors have seen, in detail (`motorlife`), as printed."""
         return self._run("motorlife").lines
 
-    def elevation_limits(self) -> ElevationLimits:
-        """Read the firmware's elevation limits and home in degrees (`elminmaxhome`)."""
+    def elevation_limits(self) -> dict[str, Value]:
+        """Read `floor`, `ceiling` and `home.elevation` in degrees (`elminmaxhome`): NVS 101, 102 and 103."""
         reply = self._run("elminmaxhome")
         low, high, home = (float(text) for text in find(reply, _LIMITS).groups())
         if not -_STEEPEST_DEG < low < high < _STEEPEST_DEG:
             raise garbage(reply)
-        return ElevationLimits(low, high, home)
+        return {FLOOR: low, CEILING: high, HOME: home}
 
     def elevation_to_steps(self, angle_deg: float) -> int:
         """Ask how many microsteps an elevation is (`ela2s`)."""
@@ -107,5 +106,6 @@ class Motors(Room):
         return angle_deg
 
 
-def _degrees(text: str) -> float | None:
-    return float(text) if "." in text else None
+def _degrees(printed: Mapping[str, str]) -> dict[str, Value]:
+    """Return the numbers whose unit is certain: those with decimals."""
+    return {axis: float(text) for axis, text in printed.items() if "." in text}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.protocol.g2.reading import END, find, garbage
@@ -14,25 +13,18 @@ _SWITCH = re.compile(rf"SW Status:\s*0b([01]+)\s+(\d+){END}")
 _TOGGLE_S = 10.0
 
 
-@dataclass(frozen=True, slots=True)
-class PolarisedRssi:
-    """The level in both polarisations, in counts; an empty sky has shown 489 and 235."""
-
-    even_counts: int
-    """Horizontal, 18 V: even transponders."""
-    odd_counts: int
-    """Vertical, 13 V: odd transponders."""
-
-
 class Peak(Room):
     """Levels and switch. `pw`, `pxy1` and perhaps `psnr` move the dish and are not here, nor is `stb`."""
 
     menu: ClassVar[str] = "peak"
 
-    def rssi(self) -> PolarisedRssi:
-        """Read the level in both polarisations (`rssits`): switches the LNB's supply between 18 V and 13 V."""
+    def rssi(self) -> tuple[int, int]:
+        """Read the level in counts at 18 V (horizontal, even transponders) and at 13 V (vertical, odd ones): `rssits`.
+
+        It switches the LNB's supply meanwhile. An empty sky has shown 489 and 235.
+        """
         match = find(self._run("rssits", takes_s=_TOGGLE_S), _SIGNALS)
-        return PolarisedRssi(int(match[1]), int(match[2]))
+        return int(match[1]), int(match[2])
 
     def switch_status(self) -> int:
         """Read the four bits of an EchoStar switch (`ts`); 0 when there is none."""

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
+from birdcage.console.events import Reply
 from birdcage.protocol.g2.reading import END, START, find, garbage, only_whole, search
 from birdcage.protocol.g2.room import Room
+from birdcage.rotator.feature import Value
 
 _PIN = re.compile(r"[A-E]\d{1,2}")
 _DIRECTION = re.compile(r"\b(INPUT|OUTPUT)\b")
@@ -17,24 +17,6 @@ _UNKNOWN = re.compile(rf"Unknown bit\s+([A-E]\d{{1,2}}){END}", re.IGNORECASE)
 _RAW = re.compile(rf"(?<!\w)val:\s*(?:0x)?([0-9A-Fa-f]{{8}}){END}")
 _CODE = re.compile(rf"app_dipswitch:\s*(\d+){END}")
 _REGS_S = 5.0
-
-
-@dataclass(frozen=True, slots=True)
-class PinStates:
-    """All pins that `regs` names, as `B0`; None for one that the dish calls unknown."""
-
-    states: Mapping[str, int | None]
-    lines: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class DipSwitches:
-    """The DIP switches: the pins as they stand, and the satellites that the firmware makes of them."""
-
-    raw: int
-    """0xFFFFFF01 is all up."""
-    code: int
-    """101 is DISH 110, 119 and 129 W."""
 
 
 class Gpio(Room):
@@ -63,15 +45,22 @@ class Gpio(Room):
             raise garbage(reply)
         return state
 
-    def registers(self) -> PinStates:
-        """Read all pins (`regs`: 92, of ports A to E)."""
-        reply = self._run("regs", takes_s=_REGS_S)
+    def registers(self) -> dict[str, int | None]:
+        """Read all pins (`regs`: 92, of ports A to E) by name; None for one that the dish calls unknown."""
+        reply = self._regs()
         text = "\n".join(reply.lines)
         states: dict[str, int | None] = {m[1]: int(m[2]) for m in _STATE.finditer(text)}
         states |= {m[1]: None for m in _UNKNOWN.finditer(text)}
         if not states:
             raise garbage(reply)
-        return PinStates(states, reply.lines)
+        return states
+
+    def printed(self) -> tuple[str, ...]:
+        """Read all pins, as printed."""
+        return self._regs().lines
+
+    def _regs(self) -> Reply:
+        return self._run("regs", takes_s=_REGS_S)
 
 
 class Dipswitches(Room):
@@ -79,10 +68,13 @@ class Dipswitches(Room):
 
     menu: ClassVar[str] = "dipswitch"
 
-    def read(self) -> DipSwitches:
-        """Read `dipswitch`."""
+    def read(self) -> dict[str, Value]:
+        """Read `dip_switches`, the pins as they stand, and `dip_code`, the satellites that the firmware makes of them.
+
+        `0xffffff01` is all up; 101 is DISH 110, 119 and 129 W.
+        """
         reply = self._run("dipswitch")
-        return DipSwitches(int(find(reply, _RAW)[1], 16), int(find(reply, _CODE)[1]))
+        return {"dip_switches": f"0x{find(reply, _RAW)[1]}", "dip_code": int(find(reply, _CODE)[1])}
 
 
 def _checked(pin: str) -> str:

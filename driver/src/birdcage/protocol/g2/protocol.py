@@ -17,12 +17,12 @@ from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
 from birdcage.protocol.g2.menus import G2Menus
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT, FEATURES
-from birdcage.protocol.g2.motor_values import HomingReport
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Value
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, RssiReading, Survey, Taken
@@ -186,8 +186,8 @@ class CarryoutG2Protocol(G2Menus):
         self.model.numbered[motor_id]  # KeyError for a motor that it has not
         self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
 
-    def home_motors(self) -> HomingReport:
-        """Find the references of both axes (`h *`), as `home_motor`; return what it printed.
+    def home_motors(self) -> dict[str, Value]:
+        """Find the references of both axes (`h *`), as `home_motor`; return what it printed (`parse_homing`).
 
         Source: docs/reference/g2-motors.md, *Homing*.
         """

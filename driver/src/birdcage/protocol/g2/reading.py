@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Generic, TypeVar
+from collections.abc import Callable, Iterable, Mapping
 
 from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
+from birdcage.protocol.motors import AZIMUTH, ELEVATION
+from birdcage.rotator.feature import Value
 
 START = r"(?<![^\s=:(])"
 """Where a value may begin."""
@@ -27,23 +27,31 @@ _WORD = re.compile(r"[^\s:,;.=/()\[\]]+")
 _AZ = re.compile(r"\bAZ\w*\b(.*?)(?=\bEL\w*\b|$)")
 _EL = re.compile(r"\bEL\w*\b(.*?)(?=\bAZ\w*\b|$)")
 
-T = TypeVar("T")
+Fields = Mapping[str, tuple[re.Pattern[str], Callable[[re.Match[str]], Value]]]
+"""How to find what a reply tells, by the id of its feature: a pattern, and what its match means."""
 
 
-@dataclass(frozen=True, slots=True)
-class PerAxis(Generic[T]):
-    """One value for each axis."""
+def fields_of(text: str, fields: Fields) -> dict[str, Value]:
+    """Return what a text tells of some features, by id; what is not found in it is left out."""
+    found = ((name, pattern.search(text), meaning) for name, (pattern, meaning) in fields.items())
+    return {name: meaning(match) for name, match, meaning in found if match}
 
-    azimuth: T
-    elevation: T
+
+def per_axis(name: str, values: Mapping[str, Value | None]) -> dict[str, Value]:
+    """Return what is told of each axis as features: `speed.azimuth`; what is None is left out."""
+    return {f"{name}.{axis}": value for axis, value in values.items() if value is not None}
+
+
+def printed(name: str, lines: Iterable[str]) -> dict[str, Value]:
+    """Return the lines of a reply as one feature; none where it had none."""
+    text = "\n".join(lines)
+    return {name: text} if text else {}
 
 
 def garbage(reply: Reply) -> NoReply:
     """Return the error for a reply that makes no sense."""
-    printed = " / ".join(reply.lines) or "nothing"
-    return NoReply(
-        f"The dish answered `{reply.command}` with {printed!r}, which makes no sense.", reason=Reason.GARBAGE
-    )
+    text = " / ".join(reply.lines) or "nothing"
+    return NoReply(f"The dish answered `{reply.command}` with {text!r}, which makes no sense.", reason=Reason.GARBAGE)
 
 
 def search(reply: Reply, pattern: re.Pattern[str]) -> re.Match[str] | None:
@@ -79,27 +87,26 @@ def only_whole(reply: Reply) -> int:
     return int(text)
 
 
-def by_motor(reply: Reply) -> PerAxis[str]:
-    """Read `Name[0] = 1` and `Name[1] = 2`, on one line or two; NoReply (garbage) unless both are there."""
+def by_motor(reply: Reply) -> dict[str, str]:
+    """Read `Name[0] = 1` and `Name[1] = 2`, on one line or two, by axis; NoReply (garbage) unless both are there."""
     found = {m[1]: m[2] for line in reply.lines for m in _BY_MOTOR.finditer(line)}
     if set(found) != {"0", "1"}:
         raise garbage(reply)
-    return PerAxis(found["0"], found["1"])
+    return {AZIMUTH: found["0"], ELEVATION: found["1"]}
 
 
-def by_axis(reply: Reply, words: Mapping[str, T]) -> PerAxis[T]:
+def by_axis(reply: Reply, words: Iterable[str]) -> dict[str, str]:
     """Read one of some words after `AZ` and one after `EL` (`AZ DIAG: OK EL DIAG: OK`), or after `AZ/EL` for both.
 
-    NoReply (garbage) unless both are there.
+    By axis; NoReply (garbage) unless both are there.
     """
     text = " ".join(reply.lines)
     both = _BOTH.search(text)
-    found = [_word(part[1], words) if part else None for part in (both or _AZ.search(text), both or _EL.search(text))]
-    if found[0] is None or found[1] is None:
-        raise garbage(reply)
-    return PerAxis(words[found[0]], words[found[1]])
-
-
-def _word(text: str, words: Mapping[str, T]) -> str | None:
     spelt = {word.lower(): word for word in words}
-    return next((spelt[word.lower()] for word in _WORD.findall(text) if word.lower() in spelt), None)
+    found = {}
+    for axis, part in ((AZIMUTH, both or _AZ.search(text)), (ELEVATION, both or _EL.search(text))):
+        told = [spelt[word.lower()] for word in _WORD.findall(part[1] if part else "") if word.lower() in spelt]
+        if not told:
+            raise garbage(reply)
+        found[axis] = told[0]
+    return found

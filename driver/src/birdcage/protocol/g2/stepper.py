@@ -14,9 +14,9 @@ from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.protocol.g2.motor_values import Accelerations, Gains
-from birdcage.protocol.g2.reading import END, by_motor
+from birdcage.protocol.g2.reading import END, by_motor, per_axis
 from birdcage.protocol.g2.room import Room
+from birdcage.rotator.feature import Value
 
 _MAX_VEL = re.compile(rf"Max Vel\s*\[(\d)\]\s*=\s*(\d+){END}")
 _AXES = {axis.index: axis for axis in (CARRYOUT_G2.azimuth, CARRYOUT_G2.elevation)}
@@ -55,16 +55,15 @@ class Stepper(Room):
             )
         return speeds
 
-    def max_accelerations(self) -> Accelerations:
-        """Read the greatest accelerations (`ma`, in microsteps/s/ms: 44 are 396 deg/s²)."""
+    def max_accelerations(self) -> dict[str, Value]:
+        """Read `acceleration`, the greatest ones (`ma`, in microsteps/s/ms: 44 are 396 deg/s²), by axis."""
         raw = by_motor(self._run("ma"))
-        return Accelerations(
-            *(float(text) * 1000.0 * _AXES[i].step_deg for i, text in enumerate((raw.azimuth, raw.elevation)))
-        )
+        steps_deg = {axis.name: axis.step_deg for axis in _AXES.values()}
+        return per_axis("acceleration", {axis: float(raw[axis]) * 1000.0 * steps_deg[axis] for axis in raw})
 
-    def gains(self) -> tuple[Gains, ...]:
-        """Read the gains (`pid`: `Kp=250 Kv=50`)."""
-        return read_gains(self._run("pid"))
+    def gains(self) -> dict[str, Value]:
+        """Read `step_kp` and `step_kv` by axis (`pid`: `Kp=250 Kv=50`)."""
+        return read_gains(self._run("pid"), "step_")
 
 
 def _speeds(reply: Reply) -> dict[int, float]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
-from birdcage.protocol.g2.features import CEILING, FLOOR, angle_of, identity_of, speeds_of, tv_search_of
+from birdcage.protocol.g2.features import angle_of, speeds_of, tv_search_of
+from birdcage.protocol.g2.motors import CEILING, FLOOR
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
-from birdcage.protocol.g2.system import System
+from birdcage.protocol.g2.system import System, identity_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id
 from birdcage.rotator.values import Survey
 

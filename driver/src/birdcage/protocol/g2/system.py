@@ -4,35 +4,34 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import ClassVar
 
 from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
 from birdcage.protocol.g2.reading import END
 from birdcage.protocol.g2.room import Room
+from birdcage.rotator.feature import VERSION, Value
 
 _FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")
 _WHOLE = re.compile(rf"(?:0x[0-9A-Fa-f]+|\d+){END}")
+_TEXTS = {
+    VERSION: "Software", "antenna_id": "Antenna ID", "system_id": "System ID",
+    "mcu_package": "Package", "mcu_revision": "Silicon Rev", "mcu_mask_set": "Mask Set",
+}  # fmt: skip
+_NUMBERS = {
+    "mcu_flash": "P-Flash", "mcu_ram": "RAM", "mcu_core_clock": "Core Clock", "mcu_bus_clock": "Bus Clock",
+    "flash_base": "Flash Base", "flash_size": "Flash Size",
+}  # fmt: skip
+"""Features by the names that the dish prints."""
 
 
-@dataclass(frozen=True, slots=True)
-class DishIdentity:
-    """What `id` tells. What it does not tell is None; `fields` holds all that it does, as printed."""
-
-    software: str | None
-    system_id: str | None
-    antenna_id: str | None
-    package: str | None
-    silicon_revision: str | None
-    mask_set: str | None
-    program_flash_kb: int | None
-    ram_kb: int | None
-    core_clock_mhz: int | None
-    bus_clock_mhz: int | None
-    flash_base: int | None
-    flash_size_bytes: int | None
-    fields: Mapping[str, str]
+def identity_of(fields: Mapping[str, str]) -> dict[str, Value]:
+    """Return what `id` tells as features, by its fields; what it does not tell is left out."""
+    told: dict[str, Value] = {name: fields[field] for name, field in _TEXTS.items() if field in fields}
+    for name, field in _NUMBERS.items():
+        if match := _WHOLE.match(fields.get(field, "")):
+            told[name] = int(match[0], 16 if match[0].startswith("0x") else 10)
+    return told
 
 
 class System(Room):
@@ -44,28 +43,9 @@ class System(Room):
         """Read `id` as the fields that it prints, by name; empty when it prints none."""
         return {m[1]: m[2] for m in map(_FIELD.match, self._run("id").lines) if m}
 
-    def identity(self) -> DishIdentity:
-        """Read `id`."""
+    def identity(self) -> dict[str, Value]:
+        """Read `id` as features: version, antenna, system and processor."""
         fields = self.fields()
         if not fields:
             raise NoReply("The dish answered `id` with no field of an identity.", reason=Reason.GARBAGE)
-        return DishIdentity(
-            software=fields.get("Software"),
-            system_id=fields.get("System ID"),
-            antenna_id=fields.get("Antenna ID"),
-            package=fields.get("Package"),
-            silicon_revision=fields.get("Silicon Rev"),
-            mask_set=fields.get("Mask Set"),
-            program_flash_kb=_whole(fields.get("P-Flash")),
-            ram_kb=_whole(fields.get("RAM")),
-            core_clock_mhz=_whole(fields.get("Core Clock")),
-            bus_clock_mhz=_whole(fields.get("Bus Clock")),
-            flash_base=_whole(fields.get("Flash Base")),
-            flash_size_bytes=_whole(fields.get("Flash Size")),
-            fields=fields,
-        )
-
-
-def _whole(text: str | None) -> int | None:
-    match = _WHOLE.match(text or "")
-    return int(match[0], 0) if match else None
+        return identity_of(fields)

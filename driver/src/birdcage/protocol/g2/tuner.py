@@ -6,13 +6,9 @@ import re
 from typing import ClassVar
 
 from birdcage.protocol.g2.diseqc import Diseqc
-from birdcage.protocol.g2.reading import find, garbage
+from birdcage.protocol.g2.reading import find, garbage, printed
 from birdcage.protocol.g2.room import Room
 from birdcage.protocol.g2.tuner_values import (
-    AgcReading,
-    ChannelParameters,
-    LockStatus,
-    TunerIdentity,
     read_agc,
     read_channel,
     read_identity,
@@ -21,6 +17,7 @@ from birdcage.protocol.g2.tuner_values import (
     read_snr_db,
     read_volts,
 )
+from birdcage.rotator.feature import Value
 from birdcage.rotator.values import RssiReading
 
 MOST_READS = 1000
@@ -60,7 +57,7 @@ class Tuner(Room):
         """Feed the LNB with 13 V (`lnbdc odu`): vertical polarisation. After a start it is 18 V, horizontal."""
         self._run("lnbdc odu")
 
-    def agc(self, samples: int = 1) -> tuple[AgcReading, ...]:
+    def agc(self, samples: int = 1) -> tuple[dict[str, Value], ...]:
         """Read gain control, SNR and network so often (`agc`, a stream); fewer when they come slowly."""
         return self._sample("agc", read_agc, samples, _STREAM_S + samples)
 
@@ -68,27 +65,28 @@ class Tuner(Room):
         """Read the signal-to-noise ratio in dB (`snr`, a stream)."""
         return self._sample("snr", read_snr_db, 1, _STREAM_S)[0]
 
-    def network_id(self) -> int | None:
-        """Read which network is heard (`nid`, a stream); None for none (`FFFF`)."""
-        return self._sample("nid", read_network, 1, _STREAM_S)[0] or None
+    def network(self) -> str:
+        """Read which network is heard (`nid`, a stream), as `0x101A`, or `none` (`FFFF`)."""
+        return self._sample("nid", read_network, 1, _STREAM_S)[0]
 
     def lnb_volts(self) -> float:
         """Read the supply of the LNB in volts (`lnbv`, a stream): 13 or 18, about."""
         return self._sample("lnbv", read_volts, 1, _STREAM_S)[0]
 
-    def identity(self) -> TunerIdentity:
+    def identity(self) -> dict[str, Value]:
         """Read chip and firmware (`config`)."""
         return read_identity(self._run("config").lines)
 
-    def channel(self) -> ChannelParameters:
+    def channel(self) -> dict[str, Value]:
         """Read the channel's parameters (`dis`)."""
         return read_channel(self._run("dis").lines)
 
-    def lock_status(self) -> LockStatus:
-        """Read the lock status with its counts (`ls`)."""
-        return read_lock(self._run("ls", takes_s=_REPORT_S).lines)
+    def lock_status(self) -> dict[str, Value]:
+        """Read the lock status with its counts (`ls`), also as printed (`lock_status`)."""
+        lines = self._run("ls", takes_s=_REPORT_S).lines
+        return {**read_lock(lines), **printed("lock_status", lines)}
 
-    def quick_lock_status(self) -> LockStatus:
+    def quick_lock_status(self) -> dict[str, Value]:
         """Read the short lock status (`qls`)."""
         return read_lock(self._run("qls").lines)
 
