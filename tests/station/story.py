@@ -80,7 +80,7 @@ class Story(Bench):
 
         def serving(request, future, stops_seen):
             self._serving = request
-            self._fresh = talk._holder is None
+            self._fresh = talk.holder is None
             try:
                 serve(request, future, stops_seen)
             finally:
@@ -141,7 +141,7 @@ class Story(Bench):
     def _was_asked(self, line):
         """Whether somebody asked for these bytes, while a person talks."""
         state, serving = self.state, self._serving
-        talks = state.holder == CONSOLE and self.station._raw_console._holder == CONSOLE
+        talks = state.holder == CONSOLE and self.station._raw_console.holder == CONSOLE
         if not talks or not line.strip() or state.activity in MOVING or state.link.state is not LinkNow.UP:
             return True
         if serving is None or isinstance(serving, ask.AcquireLease):
@@ -251,7 +251,7 @@ class Story(Bench):
         if state.link.state is not LinkNow.UP:
             self.wrong.append(f"the link did not come back: {state.link}")
             return
-        if state.holder == CONSOLE or self.station._raw_console._holder is not None or self.station._monitor.paused:
+        if state.holder == CONSOLE or self.station._raw_console.holder is not None or self.station._monitor.paused:
             self.wrong.append(f"the talk has not ended: {state.holder}")
         if truth.moving:
             # A search of the dish's own after a restart, and what must not be stopped.
