@@ -58,13 +58,27 @@ class TwoPoints(FourPoints):
         return POINTS[:2]
 
 
+@dataclass
+class GivenPoints(FourPoints):
+    """A scan of points that whoever begins it names."""
+
+    kind = "given points"
+    points: tuple[tuple[float, float], ...] = ()
+
+    def items(self):
+        return self.points
+
+
 def scan(asked=True, holder="scan"):
     return BeginTask("four points", {}, holder, asked)
 
 
+TASKS = {kind.kind: kind for kind in (FourPoints, TwoPoints, GivenPoints)}
+
+
 def made(**options):
     FourPoints.heard_at.clear()
-    return Bench("g2?seed=1", {"tasks": {"four points": FourPoints, "two points": TwoPoints}, **options}).connect(6.0)
+    return Bench("g2?seed=1", {"tasks": TASKS, **options}).connect(6.0)
 
 
 @pytest.fixture
@@ -190,6 +204,16 @@ def test_the_program_that_comes_after_a_kill_takes_it_up_where_it_was(tmp_path):
     assert FourPoints.heard_at == [2, 3]
     after.session.close()
     assert made(state_folder=tmp_path).state.kept_task is None
+
+
+def test_what_it_was_given_comes_back_as_it_was(tmp_path):
+    before = made(state_folder=tmp_path)
+    before.do(BeginTask("given points", {"points": POINTS}, "scan"))
+    run_to(before, 2)
+    before.station._host._file._writer.flush()
+    after = made(state_folder=tmp_path)
+    after.do(ResumeTask("you"))
+    assert after.station._host.find("given points").task.points == POINTS
 
 
 def test_what_cannot_begin_now_can_be_resumed_later(tmp_path):

@@ -50,7 +50,7 @@ class TaskFile:
             told = clean_all(json.loads(read_user_file(self._path)))
             if {key: told[key] for key in self._dish} != self._dish or told["kind"] not in self._kinds:
                 return None
-            self._values = {str(name): value for name, value in told["values"].items()}
+            self._values = {str(name): _with_tuples(value) for name, value in told["values"].items()}
             utc = datetime.fromisoformat(told["utc"]).astimezone(UTC)
             return KeptTask(told["kind"], str(self._values["holder"]), int(told["done"]), int(told["of"]), utc)
         except (OSError, ValueError, KeyError, TypeError, AttributeError):
@@ -112,3 +112,8 @@ class TaskFile:
                 path.unlink(missing_ok=True)
             else:
                 write_aside_and_rename(path, wishes[-1])
+
+
+def _with_tuples(value: Any) -> Any:  # noqa: ANN401 - whatever JSON holds
+    """Return a value as a task was given it: JSON knows lists only, and tasks hold tuples."""
+    return tuple(_with_tuples(item) for item in value) if isinstance(value, list) else value
