@@ -95,7 +95,8 @@ def test_stop_always_knows_where_to_aim(rate):
         bench.step(5)
         after = bench.device.truth()
         assert not after.moving
-        assert -0.05 <= after.az_deg - before.az_deg < 0.5 * rate
+        # A stream turns an axis back now and then, by less than a tenth: ahead of itself is behind it then.
+        assert -0.1 <= after.az_deg - before.az_deg < 0.5 * rate
         assert bench.state.last_stop.confirmed is True
 
 

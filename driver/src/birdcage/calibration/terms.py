@@ -12,7 +12,7 @@ from birdcage.base.config.sections import AlignmentSettings
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.calibration.peak import MeasuredPeak
 
-TERMS = tuple(each.name for each in fields(Alignment))
+TERMS = tuple(each.name for each in fields(Alignment) if each.init)
 """az_offset_deg, el_offset_deg, ca_deg, an_deg, aw_deg: in this order everywhere in this room."""
 
 OFFSETS_ONLY = TERMS[:2]
