@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 
 import pytest
-from birdcage.sim.hal.law import move_time, rate_for
+from birdcage.sim.hal.mechanics import move_time, rate_for
 from birdcage.sim.motion import plan
 from hypothesis import given
 from hypothesis import strategies as st

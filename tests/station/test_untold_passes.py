@@ -20,7 +20,7 @@ from birdcage.station.requests import Goto, Release
 from birdcage.tracking.plan import PlanPart
 from birdcage.tracking.planning.planner import plan_pass
 from birdcage.tracking.planning.rehearsal import rehearse
-from birdcage.tracking.steering.modelled import modelled
+from birdcage.tracking.steering.choice import CONTROLLERS
 
 from .pursuit_bench import PursuitBench, at
 
@@ -96,5 +96,5 @@ def test_a_pass_is_followed_at_least_as_well_as_foreseen(guess, low_deg, high_de
 
 def test_a_rehearsal_shows_no_more_than_was_foreseen_from_the_course():
     bench, plan = ready(*chosen(60, 70, 0), "")
-    shown = rehearse(plan, mount_of(bench.state, Settings()), modelled)
+    shown = rehearse(plan, mount_of(bench.state, Settings()), CONTROLLERS["modelled"])
     assert plan.forecast.rms_deg / 2.0 < shown.rms_deg <= plan.forecast.rms_deg

@@ -11,8 +11,8 @@ import pytest
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.facts import Readback
 from birdcage.tracking.move_times import durations, progress, ramps
+from birdcage.tracking.steering.choice import CONTROLLERS
 from birdcage.tracking.steering.lookahead import Lookahead
-from birdcage.tracking.steering.modelled import modelled
 from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steps import ReadPosition, Send
 
@@ -93,7 +93,7 @@ def test_position_is_read_about_once_a_second_between_commands():
 @pytest.mark.parametrize(("model", "mode"), [(SLOW, "queue"), (None, "retarget")])
 def test_dish_without_a_position_is_steered_by_its_model_and_never_asked(model, mode):
     options = {} if model is None else {"model": replace(model, readback=Readback.NEVER)}
-    rig = Rig(straight(0.5, 0.2, seconds=30), mode=mode, tells=False, **options).run(modelled)
+    rig = Rig(straight(0.5, 0.2, seconds=30), mode=mode, tells=False, **options).run(CONTROLLERS["modelled"])
     assert {type(step) for _, step in rig.steps if not hasattr(step, "until_s")} == {Send}
     assert rig.rms() < 0.15
 

@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.steering.fast import AxisTurn, Interval, ReadingTimes, fast, interval_of
 from birdcage.tracking.steering.motor_course import course_of_motors
-from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of
 
 from .rig import Rig, straight
 

@@ -25,7 +25,6 @@ from typing import TYPE_CHECKING
 from birdcage.pursuit.now import SAME_PASS, Scheduled
 from birdcage.pursuit.schedule_model import Direction, KeptPass, ScheduleCandidate, Slew
 from birdcage.pursuit.schedule_piece import Piece, Turning, pieces_in, whole
-from birdcage.pursuit.schedule_words import below_minima, cut_short, left_out, overlapped
 
 if TYPE_CHECKING:
     from birdcage.base.config.tracking_sections import AutotrackSettings
@@ -66,8 +65,8 @@ def schedule(
         values = [_value(each, bonus if held and each.candidate is held.candidate else timedelta()) for each in offered]
         chosen = [offered[index] for index in _best_chain(offered, values, turning)]
         rows += refused
-        rows += [_row(each, cut_short(each, settled), is_part=each.late or each.short) for each in chosen]
-        rows += [_row(each, overlapped(each, chosen, turning), kept=False) for each in offered if each not in chosen]
+        rows += [_row(each, _cut_short(each, settled), is_part=each.late or each.short) for each in chosen]
+        rows += [_row(each, _overlapped(each, chosen, turning), kept=False) for each in offered if each not in chosen]
         settled = sorted((*settled, *chosen), key=lambda piece: piece.order)
     return tuple(sorted(rows, key=lambda row: (row.reach_start, row.reach_end, row.norad_id, row.name)))
 
@@ -79,12 +78,12 @@ def _offered(
     offered: list[Piece] = []
     refused: list[Scheduled] = []
     for piece in pieces:
-        if why := below_minima(piece, rules):
+        if why := _below_minima(piece, rules):
             refused.append(_row(piece, why, kept=False))
             continue
         rest = max(pieces_in(piece, settled, turning), key=lambda each: each.followed, default=None)
-        if rest is None or below_minima(rest, rules):
-            refused.append(_row(piece, left_out(piece, rest, settled), kept=False))
+        if rest is None or _below_minima(rest, rules):
+            refused.append(_row(piece, _left_out(piece, rest, settled), kept=False))
         else:
             offered.append(rest)
     return offered, refused
@@ -164,3 +163,56 @@ def _row(piece: Piece, why: str, *, kept: bool = True, is_part: bool = False) ->
         passing.name, passing.norad_id, piece.told_start, piece.end, piece.told.total_seconds(),
         passing.max_elevation_deg, best_el_deg, piece.candidate.priority, kept, why, is_part,
     )  # fmt: skip
+
+
+def _below_minima(piece: Piece, rules: AutotrackSettings) -> str:
+    """Return why a piece is not worth following: silent, or which minimum it does not reach; else an empty text."""
+    if piece.candidate.silence:
+        return piece.candidate.silence
+    followed_s = piece.followed.total_seconds()
+    if followed_s < rules.min_duration_s:
+        return f"{followed_s:.0f} s within reach, under {rules.min_duration_s:g} s"
+    if piece.best_el_deg < rules.min_elevation_deg:
+        return f"up to {piece.best_el_deg:.1f}° within reach, under {rules.min_elevation_deg:g}°"
+    return ""
+
+
+def _left_out(piece: Piece, rest: Piece | None, settled: Sequence[Piece]) -> str:
+    """Return why a pass is left out of which settled ones leave too little: the `rest`, or nothing."""
+    words = f"overlaps {_named(_nearest(piece, settled))}"
+    if rest is None:
+        return words
+    return f"{words}, which leaves {rest.followed.total_seconds():.0f} s, up to {rest.best_el_deg:.1f}°"
+
+
+def _cut_short(piece: Piece, settled: Sequence[Piece]) -> str:
+    """Return for whom a piece that is followed is less than its pass; an empty text where it is all of it."""
+    words = []
+    if piece.late:
+        before = [each for each in settled if each.end <= piece.start]
+        words.append(f"joined after {_named(before[-1])}")
+    if piece.short:
+        after = [each for each in settled if each.start >= piece.end]
+        words.append(f"cut short for {_named(after[0])}")
+    return ", ".join(words)
+
+
+def _overlapped(piece: Piece, kept: Sequence[Piece], turning: Turning) -> str:
+    """Return which of the passes of the same priority that were chosen stands in the way of one that was not."""
+    in_the_way = [each for each in kept if not turning.follows(each, piece) and not turning.follows(piece, each)]
+    who = _nearest(piece, in_the_way)
+    if who.end <= piece.start:
+        return f"no time to turn round after {_named(who)}"
+    if who.start >= piece.end:
+        return f"no time to turn round for {_named(who)}"
+    return f"overlaps {_named(who)}"
+
+
+def _nearest(piece: Piece, others: Sequence[Piece]) -> Piece:
+    """Return whom it overlaps most."""
+    return max(others, key=lambda each: min(each.end, piece.end) - max(each.start, piece.start))
+
+
+def _named(piece: Piece) -> str:
+    passing = piece.candidate.passing
+    return f"{passing.name or passing.norad_id} (priority {piece.candidate.priority})"

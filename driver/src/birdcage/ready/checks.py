@@ -38,7 +38,6 @@ def kept_checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Che
 
     For a running app: it watches its clock itself, and some receivers serve one program at a time: its tracker.
     """
-    from birdcage.ready.hooks import hooks
     from birdcage.ready.sky import elements, ephemeris
 
     yield config(paths, settings)
@@ -193,3 +192,27 @@ def downlinks(paths: Paths) -> Check:
         return Check("downlinks", "downlinks", "look", table.problems[0], f"mend {paths.downlinks_file}")
     own = sum(each.own for each in table)
     return Check("downlinks", "downlinks", "good", f"{len(table)} known{f', {own} of them your own' if own else ''}")
+
+
+def hooks(settings: Settings) -> Iterator[Check]:
+    """Whether the commands that are set can be found. None is run."""
+    import shlex
+    import shutil
+
+    commands = {
+        key: command
+        for key in ("at_reach_start", "at_tca", "at_reach_end")
+        if (command := getattr(settings.hooks, key)) is not None
+    }
+    for key, command in commands.items():
+        try:
+            words = shlex.split(command)
+        except ValueError as error:
+            yield Check("hooks", "hooks", "look", f"{key} cannot be read: {error}", "birdcage config path")
+            return
+        if not words or shutil.which(words[0]) is None:
+            missing = f"there is no program {words[0]!r}" if words else "it is empty"
+            yield Check("hooks", "hooks", "look", f"{key}: {missing}", "birdcage config path")
+            return
+    if commands:
+        yield Check("hooks", "hooks", "good", f"{', '.join(commands)} can be started")

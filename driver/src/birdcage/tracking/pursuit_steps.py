@@ -14,7 +14,6 @@ from birdcage.tracking.plan import PlanLeg, PlanPart
 from birdcage.tracking.planning.routes import Point
 from birdcage.tracking.pursuit_context import PursuitContext, PursuitStage, StageNotice, clock_text
 from birdcage.tracking.steps import Hear, ReadPosition, Send, SlewTo, Step, StepResult, Steps, Wait
-from birdcage.tracking.stillness import HEAR_EVERY_S, still_until
 
 COUNTDOWN_S = 5.0
 """Before motion that no person has just asked for (`docs/decisions/0017-the-pursuit-and-the-lease.md`)."""
@@ -25,6 +24,12 @@ AGAIN_S = 0.5
 """How soon it is looked again whether the dish has nothing to do for a while."""
 JOIN_DEG = 1.0
 """Further from the course than this the whole dish is sent there first."""
+HEAR_EVERY_S = 8.5
+"""How often the tuner is read while the dish stands still: two visits and the positions between would be too much
+for the wire within 10 s (`station.watches`)."""
+HAIR_DEG = 1e-6
+AHEAD_S = (0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 64.0, 128.0, 256.0, 512.0)
+"""What is looked at. A target that is as slow as that over one of these spans is so within it, too."""
 
 
 class Pursuer:
@@ -152,7 +157,7 @@ class Pursuer:
                 # Right after a reading of the position, which then waits no longer than the excursion takes.
                 if isinstance(step, Wait) and seen and self._place is not None and self._now_s >= hear_s:
                     hear_s = self._now_s + AGAIN_S
-                    if (until_s := still_until(guide, self._place, self._now_s)) > hear_s:
+                    if (until_s := _still_until(guide, self._place, self._now_s)) > hear_s:
                         self._now_s = (yield Hear(until_s, HEAR_EVERY_S)).now_s
                 answer = yield step
                 self._now_s, seen = answer.now_s, isinstance(step, ReadPosition)
@@ -220,3 +225,23 @@ class Pursuer:
 def pursue(context: PursuitContext, now_s: float) -> Steps:
     """Carry out a pursuit from now on (POSIX seconds)."""
     return Pursuer(context, now_s).run()
+
+
+def _still_until(guide: ControllerInput, place: Point, now_s: float) -> float:
+    """Return until when the course stays as near to a place as not to be worth a command; `now_s`: not even now.
+
+    `place`: where the motors were sent, as the course counts it. Times in POSIX seconds.
+    """
+    course, until_s = guide.course(), now_s
+    axes = guide.model.azimuth, guide.model.elevation
+    # Half a step more: it was sent to whole steps.
+    bands = tuple(guide.least_way_deg(axis) + axis.step_deg / 2.0 + HAIR_DEG for axis in axes)
+    for ahead_s in AHEAD_S:
+        at_s = min(now_s + ahead_s, guide.until_s)
+        az_deg, el_deg = course.at(at_s)
+        if abs(shortest_turn(place[0], az_deg)) > bands[0] or abs(place[1] - el_deg) > bands[1]:
+            break
+        until_s = at_s
+        if at_s >= guide.until_s:
+            break
+    return until_s

@@ -8,10 +8,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from birdcage.base.config.lines import find_lines, line_of
 from birdcage.base.config.settings import Problem
 from birdcage.base.text import clean, clean_all
 from birdcage.base.user_file import read_user_file
+
+_TABLE = re.compile(r"\s*\[{1,2}\s*([^\[\]]+?)\s*\]{1,2}\s*(#.*)?$")
+_KEY = re.compile(r"\s*((?:[\w-]+|\"[^\"]*\"|'[^']*')(?:\s*\.\s*(?:[\w-]+|\"[^\"]*\"|'[^']*'))*)\s*=")
+_PART = re.compile(r"[\w-]+|\"[^\"]*\"|'[^']*'")
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +28,7 @@ class Document:
 
     def line(self, path: tuple[str, ...]) -> int | None:
         """Return in which line the key stands, None if nowhere."""
-        return line_of(self.lines, path)
+        return _line_of(self.lines, path)
 
 
 def read_document(path: Path | None) -> Document:
@@ -44,7 +47,7 @@ def read_document(path: Path | None) -> Document:
         line = raw.count(b"\n", 0, error.start) + 1
         return _unreadable(path, line, "The file is damaged here: not UTF-8 text.")
     try:
-        return Document(path, clean_all(tomllib.loads(text)), (), find_lines(text))
+        return Document(path, clean_all(tomllib.loads(text)), (), _find_lines(text))
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"\(at line (\d+)", str(error))
         line = int(found.group(1)) if found else len(text.rstrip().splitlines())
@@ -62,3 +65,36 @@ def _key_in(text: str, line: int) -> str:
     lines = text.splitlines()
     content = clean(lines[line - 1]).strip() if 0 < line <= len(lines) else ""
     return f" The line is: {content[:60]}." if content else ""
+
+
+def _find_lines(text: str) -> dict[tuple[str, ...], int]:
+    """Return the line, counted from 1, of each table and key by its full path. That it is TOML is known.
+
+    Every table above a path has a line too: the first in which something of it stands. Keys inside inline tables
+    have none of their own: see `_line_of`.
+    """
+    lines: dict[tuple[str, ...], int] = {}
+    table: tuple[str, ...] = ()
+    for number, line in enumerate(text.splitlines(), 1):
+        if found := _TABLE.match(line):
+            path = table = _parts(found.group(1))
+        elif found := _KEY.match(line):
+            path = table + _parts(found.group(1))
+        else:
+            continue
+        for length in range(1, len(path) + 1):
+            lines.setdefault(path[:length], number)
+    return lines
+
+
+def _line_of(lines: dict[tuple[str, ...], int], path: tuple[str, ...]) -> int | None:
+    """Return the line of `path`, or of what it stands in; None if that is nowhere."""
+    while path:
+        if path in lines:
+            return lines[path]
+        path = path[:-1]
+    return None
+
+
+def _parts(dotted: str) -> tuple[str, ...]:
+    return tuple(part.strip("\"'") for part in _PART.findall(dotted))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
+from birdcage.base.reason import Reason
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import DEMO_FIRMWARE, flags, global_options
 from birdcage.cli.sky_options import (
@@ -22,11 +23,16 @@ from birdcage.cli.sky_options import (
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
+    from birdcage.pursuit.chosen_target import ChosenTarget
     from birdcage.pursuit.desk_setup import ControllerName
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
+    from birdcage.tracking.mount import Mount
 
 CONTROLLERS = ("auto", "fast", "velocity", "queued", "modelled", "leapfrog")
+
+
+_NO_DISH = "A plan needs to know the dish. Give --firmware, or set firmware under [dish] in birdcage.toml."
 
 
 class Until(click.ParamType["str | datetime"]):
@@ -109,7 +115,6 @@ def _show(
 
     from birdcage.cli.named_target import tell_below
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.cli.track_plan import choice_for, plan_for
     from birdcage.cli.where_report import Report
     from birdcage.sky.targets.model import Satellite
     from birdcage.tracking.plan_values import plan_values
@@ -118,8 +123,8 @@ def _show(
     now = datetime.now(UTC)
     if not isinstance(target, Satellite):
         tell_below(target, observer, now, say)  # of a satellite the plan tells its next pass
-    choice = choice_for(text, target, wants, time_offset_s=time_offset_s, freq_hz=freq_hz)
-    plan_for(choice, wants, observer, now)
+    choice = _choice_for(text, target, wants, time_offset_s=time_offset_s, freq_hz=freq_hz)
+    _plan_for(choice, wants, observer, now)
     assert choice.plan is not None, "one was made"
     if flags().json:
         tell_json(plan_values(choice.plan))
@@ -132,3 +137,50 @@ def _show(
         tell(line)
     if not plan_only:
         say("Nothing moved. --engage follows it.")
+
+
+def _choice_for(
+    text: str, target: Target, wants: Wanted, *, time_offset_s: float | None, freq_hz: float | None
+) -> ChosenTarget:
+    """Return a target as the desk chooses it, with what the options say of it."""
+    from birdcage.pursuit.choosing import choice_of, listen_at
+
+    choice = choice_of(text, target, None)
+    listen_at(choice, wants.settings, wants.paths.downlinks_file)
+    choice.wanted_hz = freq_hz
+    if time_offset_s is not None:
+        choice.time_offset_s = time_offset_s
+    return choice
+
+
+def _plan_for(choice: ChosenTarget, wants: Wanted, observer: Observer, now: datetime) -> None:
+    """Plan, with the share of a dish whose axes move in turn. BirdcageError where that cannot be done."""
+    from birdcage.base.errors import BirdcageError
+    from birdcage.pursuit.circumstances import Circumstances
+    from birdcage.pursuit.follower import options_of
+    from birdcage.pursuit.refiner import refined
+
+    at = Circumstances(now, observer, _mount_for(wants), wants.settings)
+    choice.refresh(at)
+    if choice.plan is None:
+        raise BirdcageError(choice.problem, reason=Reason.NO_PLAN)
+    choice.plan = refined(
+        choice.plan, at.mount, options_of(wants.settings), wants.settings.tracking.preposition_s
+    )  # fmt: skip
+
+
+def _mount_for(wants: Wanted) -> Mount:
+    """Return the dish that was named, as it is where nothing is known of it but its kind. ConfigError without one."""
+    from birdcage.base.beam import beam_of
+    from birdcage.base.errors import ConfigError
+    from birdcage.station.reach_limits import reach_limits
+    from birdcage.station.settings import rules_from
+    from birdcage.tracking.mount import Mount
+
+    model, rules = wants.named_model, rules_from(wants.settings)
+    if model is None:
+        raise ConfigError(_NO_DISH)
+    return Mount(
+        model, reach_limits(wants.settings, model), rules.alignment, None,
+        rules.min_elevation_deg, rules.max_elevation_deg, beam_of(rules.feed, model.reflector),
+    )  # fmt: skip

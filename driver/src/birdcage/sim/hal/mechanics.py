@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 from birdcage.sim.axis import AxisData, AxisMechanics
 from birdcage.sim.chance import seeded
 from birdcage.sim.dish import DishMechanics, DishTruth
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.hal.law import rate_for
 
 STEPS = 36000
 """The position is read to 0.01 degrees (`docs/reference/travler.md`, *Position*)."""
@@ -19,6 +19,39 @@ SKEW_DEG = 0.0, 180.0
 HOMING_TIMEOUT_S = 10.0
 HOMING_SHARE = 0.7
 """How much of the time for homing the way from one end to the other and back may take."""
+LINE_DEG = 1.0, 2.0
+
+
+def move_time(turn_deg: float) -> float:
+    """Return the seconds that a turn of so many degrees takes: `docs/reference/travler.md`, *Times*.
+
+    t = 0.3 s below 0.5 degrees, 0.5 s up to 1 degree, else 3.23 ln(0.84 d) - 0.48 seconds, from rest to rest. Between
+    1 and 2 degrees the source takes the absolute value of a sum that changes its sign there; here a straight line joins
+    the two ends. The same for azimuth and elevation; for skew (assumed).
+    """
+    if turn_deg <= 0.0:
+        return 0.0
+    if turn_deg < 0.5:
+        return 0.3
+    start, end = LINE_DEG
+    if turn_deg <= start:
+        return 0.5
+    if turn_deg < end:
+        return 0.5 + (turn_deg - start) / (end - start) * (_law(end) - 0.5)
+    return _law(turn_deg)
+
+
+def rate_for(turn_deg: float, accel_deg_s2: float) -> float:
+    """Return the highest rate of the trapezoid that takes `move_time`; inf when speeding up takes longer than that."""
+    time_s = move_time(turn_deg)
+    room = (accel_deg_s2 * time_s) ** 2 - 4.0 * accel_deg_s2 * turn_deg
+    if time_s == 0.0 or room <= 0.0:
+        return math.inf
+    return (accel_deg_s2 * time_s - math.sqrt(room)) / 2.0
+
+
+def _law(turn_deg: float) -> float:
+    return 3.23 * math.log(0.84 * turn_deg) - 0.48
 
 
 class LawAxis(AxisMechanics):

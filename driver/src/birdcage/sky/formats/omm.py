@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from datetime import UTC, datetime, timedelta
 
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.formats.limits import checked
-from birdcage.sky.formats.numbers import decimal, epoch, integer
 from birdcage.sky.formats.parse_result import Unreadable
 
 SGP4_XP = 4
@@ -31,6 +32,13 @@ _NEEDED = (
     "BSTAR",
 )
 
+# Numbers and times as CCSDS 502.0-B section 7.5 writes them, read more strictly than `float` and `int` would.
+_DECIMAL = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d{1,4})?", re.ASCII).fullmatch
+_INTEGER = re.compile(r"[-+]?\d{1,18}", re.ASCII).fullmatch
+_EPOCH = re.compile(
+    r"(\d{4})-(?:(\d\d)-(\d\d)|(\d{3}))T(\d\d):(\d\d):(\d\d)(?:\.(\d+))?Z?", re.ASCII | re.IGNORECASE
+).fullmatch
+
 
 def _filled(fields: Mapping[str, object], key: str) -> object:
     """Return the value, None if it is left out or empty."""
@@ -54,7 +62,7 @@ def elements_of(fields: Mapping[str, object], source: str) -> ElementSet:
     if kind == SGP4_XP:
         raise Unreadable("made for SGP4-XP (ephemeris type 4), which birdcage does not compute", "EPHEMERIS_TYPE")
     dot, ddot = (
-        decimal(value, key) if (value := _filled(fields, key)) is not None else 0.0
+        _decimal(value, key) if (value := _filled(fields, key)) is not None else 0.0
         for key in ("MEAN_MOTION_DOT", "MEAN_MOTION_DDOT")
     )
     return checked(
@@ -62,13 +70,13 @@ def elements_of(fields: Mapping[str, object], source: str) -> ElementSet:
             name=str(_filled(fields, "OBJECT_NAME") or number or "unnamed").strip(),
             norad_id=number,
             epoch=epoch(fields["EPOCH"]),
-            inclination_deg=decimal(fields["INCLINATION"], "INCLINATION"),
-            raan_deg=decimal(fields["RA_OF_ASC_NODE"], "RA_OF_ASC_NODE"),
-            eccentricity=decimal(fields["ECCENTRICITY"], "ECCENTRICITY"),
-            argument_of_perigee_deg=decimal(fields["ARG_OF_PERICENTER"], "ARG_OF_PERICENTER"),
-            mean_anomaly_deg=decimal(fields["MEAN_ANOMALY"], "MEAN_ANOMALY"),
-            mean_motion_rev_day=decimal(fields["MEAN_MOTION"], "MEAN_MOTION"),
-            bstar=decimal(fields["BSTAR"], "BSTAR"),
+            inclination_deg=_decimal(fields["INCLINATION"], "INCLINATION"),
+            raan_deg=_decimal(fields["RA_OF_ASC_NODE"], "RA_OF_ASC_NODE"),
+            eccentricity=_decimal(fields["ECCENTRICITY"], "ECCENTRICITY"),
+            argument_of_perigee_deg=_decimal(fields["ARG_OF_PERICENTER"], "ARG_OF_PERICENTER"),
+            mean_anomaly_deg=_decimal(fields["MEAN_ANOMALY"], "MEAN_ANOMALY"),
+            mean_motion_rev_day=_decimal(fields["MEAN_MOTION"], "MEAN_MOTION"),
+            bstar=_decimal(fields["BSTAR"], "BSTAR"),
             mean_motion_dot=dot,
             mean_motion_ddot=ddot,
             international_designator=str(_filled(fields, "OBJECT_ID") or "").strip(),
@@ -76,3 +84,57 @@ def elements_of(fields: Mapping[str, object], source: str) -> ElementSet:
             source=source,
         )
     )
+
+
+def _decimal(value: object, keyword: str) -> float:
+    """Return the number. Raise Unreadable for text that is none (also `nan`, `1_0`), naming the keyword."""
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        try:
+            return float(value)
+        except OverflowError:
+            raise Unreadable(f"{keyword} is too large for a number", keyword) from None
+    if isinstance(value, str) and _DECIMAL(value.strip()):
+        return float(value)
+    raise Unreadable(f"{keyword} is {_shown(value)}, not a number", keyword)
+
+
+def integer(value: object, keyword: str) -> int:
+    """Return the whole number. Raise Unreadable for anything else, naming the keyword."""
+    if isinstance(value, int) and not isinstance(value, bool):
+        return value
+    if isinstance(value, str) and _INTEGER(value.strip()):
+        return int(value)
+    raise Unreadable(f"{keyword} is {_shown(value)}, not a whole number", keyword)
+
+
+def epoch(value: object) -> datetime:
+    """Return the time, UTC, to the microsecond; calendar or day-of-year form. Raise Unreadable otherwise.
+
+    A leap second (second 60) is told as the last microsecond before midnight's second ends: a datetime has none.
+    """
+    match = _EPOCH(value.strip()) if isinstance(value, str) else None
+    if match is None:
+        raise Unreadable(f"EPOCH is {_shown(value)}, not a time like 2026-11-21T09:30:00.000000", "EPOCH")
+    year, month, day, day_of_year, hour, minute, second, fraction = match.groups()
+    digits = ((fraction or "") + "0000000")[:7]
+    microseconds = (int(digits) + 5) // 10
+    try:
+        if day_of_year:
+            first = datetime(int(year), 1, 1, tzinfo=UTC)
+            when = first + timedelta(days=int(day_of_year) - 1)
+            if int(day_of_year) < 1 or when.year != first.year:
+                raise ValueError
+        else:
+            when = datetime(int(year), int(month), int(day), tzinfo=UTC)
+        leap = second == "60" and hour == "23" and minute == "59"
+        when = when.replace(hour=int(hour), minute=int(minute), second=59 if leap else int(second))
+    except ValueError:
+        raise Unreadable(f"EPOCH is {_shown(value)}: there is no such day or time", "EPOCH") from None
+    return when + timedelta(microseconds=microseconds)
+
+
+def _shown(value: object) -> str:
+    if value is None or (isinstance(value, str) and not value.strip()):
+        return "empty"
+    text = repr(value)
+    return text if len(text) <= 40 else text[:39] + "…"

@@ -12,13 +12,14 @@ from datetime import UTC, datetime, timedelta
 from functools import cache
 
 from birdcage.sky.elements import ElementSet
-from birdcage.sky.formats import alpha5
 from birdcage.sky.formats.limits import checked
 from birdcage.sky.formats.parse_result import Unreadable
 
 LENGTH = 69
 BODY = 68
 """Without the checksum."""
+_LETTERS = "ABCDEFGHJKLMNPQRSTUVWXYZ"
+"""Of a catalogue number, for 10 to 33; I and O are left out because they look like digits."""
 
 _WEIGHT = bytes(c - 48 if 48 <= c <= 57 else int(c == 45) for c in range(256))
 """A digit counts its value, a minus sign 1, everything else 0."""
@@ -67,6 +68,23 @@ def _whole(fields: tuple[tuple[int, int, str, str], ...], start: int) -> re.Patt
 def checksum(line: str) -> int:
     """Return the sum of the first 68 columns, modulo 10."""
     return sum(line[:BODY].encode("ascii", "replace").translate(_WEIGHT)) % 10
+
+
+def catalogue_number(field: str) -> int:
+    """Return the number of five columns: five digits, or a letter and four digits (Space-Track's Alpha-5).
+
+    Leading blanks count as zeros. Raise Unreadable for anything else.
+    """
+    if field.isascii():
+        if field.isdigit():
+            return int(field)
+        if len(field) == 5 and field[1:].isdigit() and field[0] in _LETTERS:
+            return (_LETTERS.index(field[0]) + 10) * 10_000 + int(field[1:])
+        if field.strip().isdigit() and not field.endswith(" "):
+            return int(field)
+        if field[:1] in ("I", "O") and field[1:].isdigit():
+            raise Unreadable(f"catalogue number {field}: the letters I and O are never used, a digit was meant")
+    raise Unreadable(f"catalogue number {field!r} is neither five digits nor a letter and four digits")
 
 
 @cache
@@ -157,7 +175,7 @@ def parse(name: str, line_1: str, line_2: str, source: str) -> ElementSet:
     numbers = []
     for line, where in ((line_1, "line 1"), (line_2, "line 2")):
         try:
-            numbers.append(alpha5.decode(line[2:7]))
+            numbers.append(catalogue_number(line[2:7]))
         except Unreadable as unreadable:
             raise Unreadable(str(unreadable), where) from None
     if numbers[0] != numbers[1]:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from datetime import datetime
+from collections.abc import Iterator, Sequence
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
@@ -11,6 +11,7 @@ from birdcage.sky.element_error import ElementError, element_error
 from birdcage.sky.frames import posix_s
 from birdcage.sky.observer import Observer
 from birdcage.sky.passes.model import Pass
+from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
 from birdcage.sky.targets.model import Satellite, SlotTarget, Target
 from birdcage.tracking.curve import Curve
 from birdcage.tracking.day import HOURS, Day
@@ -18,8 +19,7 @@ from birdcage.tracking.mount import Mount
 from birdcage.tracking.plan import Plan, PlanTarget
 from birdcage.tracking.planning.assembling import Basis, complete, unfollowed
 from birdcage.tracking.planning.incidents import where_words
-from birdcage.tracking.planning.itinerary import itinerary
-from birdcage.tracking.planning.plan_reach import reached
+from birdcage.tracking.planning.itinerary import Itinerary, itinerary
 from birdcage.tracking.planning.rates import FIRST_SHARE
 from birdcage.tracking.planning.refining import refine
 from birdcage.tracking.planning.refraction import Refraction, lift_deg
@@ -33,6 +33,7 @@ __all__ = ["plan_pass", "refine"]
 
 _LEAST_S = 2.0
 """Of a pass that is nearly over a plan is made for so long at least, so that there is a path to draw."""
+_SHORTEST_S = 1e-3
 
 
 def plan_pass(
@@ -90,7 +91,7 @@ def _plan(
     track = TargetTrack.of(sky, mount)
     now_s = posix_s(now)
     planned = itinerary(track, now_s, later)
-    reach = reached(track, planned)
+    reach = _reached(track, planned)
     if not planned.stretches or mount.model.no_following:
         return unfollowed(aim, now, passing, reach, track, elements, day)
     share = None if mount.model.axes_together else FIRST_SHARE
@@ -109,3 +110,51 @@ def _day_ahead(
     reach = TargetTrack.of(sky, mount).reached()
     limits = tuple(where_words(cause, mount.limits) for cause in reach.lost_s)
     return Day(sky, reach, limits, float(lift_deg(0.0, refraction)))
+
+
+def _reached(track: TargetTrack, planned: Itinerary) -> PassReach:
+    """Return the reach with the turns that the plan takes, less what it loses to turning the cable back."""
+    whole = track.reached()
+    if track.bounds.cable is None or not track.bounds.turn_known:
+        return whole
+    kept: list[Stretch] = []
+    lost = list(whole.lost)
+    for one in whole.intervals:
+        for start, end, reason in _divided(one.start_s, one.end_s, planned.cuts):
+            if reason:
+                lost.append(Lost(_utc(start), _utc(end), reason))
+            else:
+                kept.append(Stretch(_utc(start), _utc(end), _turn(planned, (start + end) / 2.0)))
+    best = whole.best_el_deg if kept else None
+    if best is not None and planned.cuts:
+        sky = track.sky
+        tops = [sky.el_deg[(sky.t_s >= one.start_s - 0.5) & (sky.t_s <= one.end_s + 0.5)].max() for one in kept]
+        best = min(best, float(max(tops)))
+    return PassReach(tuple(kept), tuple(sorted(lost, key=lambda each: each.start)), best)
+
+
+def _divided(
+    start: float, end: float, cuts: tuple[tuple[float, float, LossReason], ...]
+) -> Iterator[tuple[float, float, LossReason | None]]:
+    """Yield the parts of an interval, each with why it is lost, or None."""
+    at = start
+    for cut_start, cut_end, reason in cuts:
+        left, right = max(cut_start, at), min(cut_end, end)
+        if right - left <= _SHORTEST_S:
+            continue
+        if left - at > _SHORTEST_S:
+            yield at, left, None
+        yield left, right, reason
+        at = right
+    if end - at > _SHORTEST_S:
+        yield at, end, None
+
+
+def _turn(planned: Itinerary, t_s: float) -> int | None:
+    """Return the turn of the stretch at a time, or of the nearest one."""
+    near = min(planned.stretches, key=lambda one: max(one.start_s - t_s, t_s - one.end_s, 0.0), default=None)
+    return None if near is None else near.turn
+
+
+def _utc(t_s: float) -> datetime:
+    return datetime.fromtimestamp(t_s, UTC)

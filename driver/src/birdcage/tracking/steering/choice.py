@@ -8,15 +8,26 @@ from types import MappingProxyType
 from birdcage.base.errors import MotionRefused
 from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
-from birdcage.tracking.controller_input import LEAD_S, Controller
-from birdcage.tracking.steering.fast import fast
+from birdcage.tracking.controller_input import LEAD_S, Controller, ControllerInput
+from birdcage.tracking.steering import fast, queued, whole
 from birdcage.tracking.steering.leapfrogging import leapfrog
-from birdcage.tracking.steering.modelled import modelled
-from birdcage.tracking.steering.queued import queued
 from birdcage.tracking.steering.velocity import PREPARES_S, velocity
+from birdcage.tracking.steps import Steps
+
+
+def _modelled(guide: ControllerInput) -> Steps:
+    """Follow by the model of both axes alone, for a dish that does not tell its position.
+
+    Where it stands is what it was sent to: nothing is read, and nothing shows a move that was lost.
+    """
+    if not guide.model.moves_one_axis:
+        yield from whole.steer(guide)
+        return
+    yield from (queued.steer if guide.model.moves_in_turn else fast.steer)(guide, looks=False)
+
 
 CONTROLLERS: Mapping[str, Controller] = MappingProxyType(
-    {"fast": fast, "velocity": velocity, "queued": queued, "modelled": modelled, "leapfrog": leapfrog}
+    {"fast": fast.fast, "velocity": velocity, "queued": queued.queued, "modelled": _modelled, "leapfrog": leapfrog}
 )
 """By the names of `PursuitOptions.controller`."""
 

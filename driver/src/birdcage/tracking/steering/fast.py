@@ -2,6 +2,10 @@
 
 At every prompt one axis is sent to where the target will be at arrival + half an interval + half a move, so that the
 mean of moving and standing lies on the course. What is left of the error is the saw-tooth: rate x interval / 2 sqrt(3).
+
+The wire carries one command at a time, so the turns of both axes are played ahead. Intervals as rate^-2/3 make the sum
+of squares of both saw-tooths least. Where one axis is twice as fast as the other its intervals are long and short by
+turns: half of the one that comes is how far ahead it aims, not half of the mean of both.
 """
 
 from __future__ import annotations
@@ -12,7 +16,6 @@ from dataclasses import dataclass
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.latency import Latency
-from birdcage.tracking.steering.turns import AxisTurn, Interval, ReadingTimes, interval_of, need_of
 from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
 REST_S = 0.02
@@ -23,10 +26,79 @@ ABOUT_S = 0.5
 """A rate is that of so long before and after."""
 ROUNDS = 3
 """Of the fixed point: how long the move takes depends on its goal, and the goal on how long it takes."""
+FURTHEST = 8
+"""So many commands are played ahead: one axis had none for so long only where it hardly moves."""
+
+
+@dataclass(frozen=True, slots=True)
+class AxisTurn:
+    """What decides when it is an axis' turn; degrees on the sky, POSIX seconds."""
+
+    rate_deg_s: float
+    sent_s: float
+    """When it acted on its last command."""
+    latency_s: float
+    least_deg: float
+    """Its dead-band."""
+
+
+@dataclass(frozen=True, slots=True)
+class ReadingTimes:
+    """When the position is read, which takes the wire as a command does."""
+
+    next_s: float
+    every_s: float
+    take_s: float
+
+
+@dataclass(frozen=True, slots=True)
+class Interval:
+    """From when an axis acts on a command until it acts on its next one."""
+
+    mean_s: float
+    variance_s2: float
+
+    def middle_s(self, move_s: float) -> float:
+        """Return how far ahead the mean of the interval lies, as a moment taken at random meets it: E[T²] / 2 E[T].
+
+        While the axis is on its way it is half-way on the mean: that much later it aims.
+        """
+        return (self.mean_s + self.variance_s2 / self.mean_s + move_s) / 2.0
+
+
+def _need_of(off_deg: float, waits_s: float) -> float:
+    """Return how much an axis wants the next command."""
+    return off_deg**2 * max(waits_s, 1e-3)
+
+
+def interval_of(
+    column: int, turns: tuple[AxisTurn, ...], now_s: float, looks: ReadingTimes, variance_s2: float
+) -> Interval:
+    """Return how long an axis will wait if it gets its command now. `variance_s2`: of one exchange."""
+    acts_s = free_s = now_s + turns[column].latency_s
+    look_s, exchanges = looks.next_s, 0
+    sent = [turn.sent_s for turn in turns]
+    sent[column] = acts_s
+    while exchanges < FURTHEST:
+        if free_s >= look_s:
+            free_s, look_s = free_s + looks.take_s, look_s + looks.every_s
+            exchanges += 1
+        best, most = column, 0.0
+        for other, turn in enumerate(turns):
+            waits_s = free_s + turn.latency_s - sent[other]
+            off_deg = turn.rate_deg_s * waits_s
+            if off_deg >= turn.least_deg and _need_of(off_deg, waits_s) > most:
+                best, most = other, _need_of(off_deg, waits_s)
+        free_s += turns[best].latency_s
+        exchanges += 1
+        if best == column:
+            break
+        sent[best] = free_s
+    return Interval(free_s - acts_s, exchanges * variance_s2)
 
 
 @dataclass(slots=True)
-class AxisAim:
+class _AxisAim:
     """Where an axis would be sent now."""
 
     goal_deg: float
@@ -36,7 +108,7 @@ class AxisAim:
     """Whether it is beyond the dead-band."""
 
 
-class AxisFollower:
+class _AxisFollower:
     """One axis of a fast dish: when it was sent, and where to send it next."""
 
     def __init__(self, guide: ControllerInput, column: int, belief: AxisBelief | None = None) -> None:
@@ -47,7 +119,7 @@ class AxisFollower:
         self.belief = belief or AxisBelief(self.axis, (guide.start_az_deg, guide.start_el_deg)[column], guide.now_s)
         self.sent_s = guide.now_s
 
-    def aim(self, acts_s: float, interval: Interval) -> AxisAim:
+    def aim(self, acts_s: float, interval: Interval) -> _AxisAim:
         """Choose a goal for a command that acts at a time, and is the last one of this axis for an interval."""
         course, column = self._guide.course(), self._column
         goal, ahead_s = self.belief.goal_deg, interval.mean_s / 2.0
@@ -57,7 +129,7 @@ class AxisFollower:
             ahead_s = interval.middle_s(move_s) if move_s < interval.mean_s else move_s
         goal = self.belief.quantised(goal, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
-        return AxisAim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
+        return _AxisAim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
 
     def turn(self, acts_s: float, latency: Latency) -> AxisTurn:
         """Return what decides when it is its turn again."""
@@ -90,7 +162,7 @@ def steer(
 ) -> Steps:
     """Follow with or without reading the position; `beliefs`: of a dish that is on its way already."""
     latency = Latency(guide.model, guide.latency_s)
-    followers = AxisFollower(guide, 0, beliefs[0]), AxisFollower(guide, 1, beliefs[1])
+    followers = _AxisFollower(guide, 0, beliefs[0]), _AxisFollower(guide, 1, beliefs[1])
     now_s, look_s = guide.now_s, guide.now_s + guide.look_every_s
     while now_s < guide.until_s:
         if looks and now_s >= look_s:
@@ -102,12 +174,12 @@ def steer(
             continue
         turns = tuple(follower.turn(now_s, latency) for follower in followers)
         looking = ReadingTimes(look_s if looks else math.inf, guide.look_every_s, latency.mean_s)
-        best: tuple[float, AxisFollower, AxisAim] | None = None
+        best: tuple[float, _AxisFollower, _AxisAim] | None = None
         for column, follower in enumerate(followers):
             acts_s = now_s + latency.of(follower.index)
             interval = interval_of(column, turns, now_s, looking, latency.variance_s2)
             aim = follower.aim(acts_s, interval)
-            need = need_of(aim.off_deg, acts_s - follower.sent_s)
+            need = _need_of(aim.off_deg, acts_s - follower.sent_s)
             if aim.due and (best is None or need > best[0]):
                 best = need, follower, aim
         if best is None:

@@ -13,18 +13,25 @@ in time the dish steps, at its own speeds, until the leg ends (decision 0031).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Generator, Sequence
 from dataclasses import replace
 
 from birdcage.tracking.controller_input import LEAD_S, ControllerInput
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.fast import steer
-from birdcage.tracking.steering.gliding import REST_S, Glide, RoundPace
-from birdcage.tracking.steering.latency import Latency
+from birdcage.tracking.steering.latency import Latency, Smoothed
 from birdcage.tracking.steps import LimitSpeeds, ReadPosition, Send, Step, StepResult, Steps, Wait
 
-SOUND = 60
-"""It glides where so many lines in a row were answered in time: on a line that loses 8 %, in one case of 150."""
+REST_S = 0.02
+PAUSES = 2.0
+"""An axis is sent so many times further than a lost answer keeps the line silent: the next one may be lost as well."""
+SPARE_ROUNDS = 3.0
+"""And so many rounds beyond that: it must not come to rest before a late one."""
+TELLING_DEG = 0.02
+"""A goal that prints as the one before may count as the same command, and its speed would not come into force."""
+
+
 PREPARES_S = 16.0
 """What it takes, beside a pause of the line, to see that it is sound, to set the first speeds and to put them back."""
 EXCHANGES = 9
@@ -33,6 +40,68 @@ TRIES = 3
 """How often a speed is put back where the answers are lost; whoever drives sees to the rest."""
 LEANS = 0.3
 """What a reading counts against the model: its last digit and its moment are as uncertain as what has added up."""
+
+
+class _Glide:
+    """One axis: how fast it should go for the next round, and where to."""
+
+    def __init__(self, guide: ControllerInput, column: int, belief: AxisBelief) -> None:
+        self._guide = guide
+        self._column = column
+        self.axis = (guide.model.azimuth, guide.model.elevation)[column]
+        self.belief = belief
+        self.speed_deg_s = self.axis.speed_deg_s
+        self.goal_deg = self.belief.goal_deg
+
+    def plan(self, acts_s: float, round_s: float) -> bool:
+        """Choose speed and goal of a round whose move acts at a time; return whether it is worth any command."""
+        course = self._guide.course()
+        at_deg = self.belief.at(acts_s)[0]
+        next_s = min(acts_s + round_s, self._guide.until_s)
+        wanted_deg = course.at(next_s)[self._column]
+        turns_deg = wanted_deg - course.at(acts_s)[self._column]
+        if turns_deg:
+            # An axis that does not come to rest lacks the overshoot that the course of the motor counts on, or that
+            # stepping has against an unknown play (decision 0035).
+            wanted_deg += self.axis.gliding_lead_deg(turns_deg)
+        way, way_s = wanted_deg - at_deg, max(next_s - acts_s, REST_S)
+        # The dish counts whole steps a second.
+        steps_s = max(round(abs(way) / way_s / self.axis.step_deg), 1)
+        self.speed_deg_s = min(steps_s * self.axis.step_deg, self.axis.speed_deg_s)
+        glide_s = PAUSES * 2.0 * self._guide.delay_s + SPARE_ROUNDS * round_s
+        self.goal_deg = self._told(at_deg, way * glide_s / way_s)
+        told = abs(self.goal_deg - self.belief.goal_deg) >= TELLING_DEG
+        return told and abs(self.goal_deg - at_deg) >= self.axis.step_deg / 2.0
+
+    def _told(self, at_deg: float, way: float) -> float:
+        """Return the goal of a way, which is made longer, or shorter, where it prints as the goal before."""
+        span_deg, before_deg = spans(self._guide.course())[self._column], self.belief.goal_deg
+        for by in (0.0, 2.0 * TELLING_DEG, -2.0 * TELLING_DEG):
+            goal = self.belief.quantised((before_deg if by else at_deg + way) + math.copysign(by, by * way), span_deg)
+            if abs(goal - before_deg) >= TELLING_DEG and (goal - at_deg) * way > 0.0:
+                return goal
+        return before_deg
+
+
+class _RoundPace:
+    """How long rounds take, by how many axes are told something in one; seconds."""
+
+    def __init__(self, round_s: float) -> None:
+        self.rounds = {count: Smoothed(round_s) for count in (1, 2)}
+        self.leads = {(index, count): Smoothed(round_s) for index in (0, 1) for count in (1, 2)}
+        """From the begin of a round until an axis acts on its move."""
+
+    def round_s(self, count: int) -> float:
+        """Return how long a round for so many axes takes."""
+        return self.rounds[count].seconds
+
+    def lead_s(self, glide: _Glide, count: int) -> float:
+        """Return how long after its begin such a round moves an axis."""
+        return self.leads[glide.axis.index, count].seconds
+
+
+SOUND = 60
+"""It glides where so many lines in a row were answered in time: on a line that loses 8 %, in one case of 150."""
 
 
 def velocity(guide: ControllerInput) -> Steps:
@@ -47,11 +116,11 @@ class Glider:
         self._guide = guide
         axes = (guide.model.azimuth, guide.start_az_deg), (guide.model.elevation, guide.start_el_deg)
         self._beliefs = AxisBelief(*axes[0], guide.now_s), AxisBelief(*axes[1], guide.now_s)
-        self._glides = Glide(guide, 0, self._beliefs[0]), Glide(guide, 1, self._beliefs[1])
-        self._latency, self._pace = Latency(guide.model, guide.latency_s), RoundPace(EXCHANGES * guide.latency_s)
-        self._due: list[Glide] = []
+        self._glides = _Glide(guide, 0, self._beliefs[0]), _Glide(guide, 1, self._beliefs[1])
+        self._latency, self._pace = Latency(guide.model, guide.latency_s), _RoundPace(EXCHANGES * guide.latency_s)
+        self._due: list[_Glide] = []
         """The axes that have to move."""
-        self._late: Glide | None = None
+        self._late: _Glide | None = None
         """The axis whose move was not answered in time."""
 
     def run(self) -> Steps:
@@ -85,7 +154,7 @@ class Glider:
         self._due = [glide for glide in self._glides if glide.plan(guide.from_s, self._pace.round_s(2))]
         if not (yield from self._limit(self._glides)):
             return False
-        self._pace = RoundPace(guide.now_s - began_s + 2.0 * guide.latency_s)
+        self._pace = _RoundPace(guide.now_s - began_s + 2.0 * guide.latency_s)
         begin_s = guide.from_s - guide.latency_s
         while guide.now_s < min(begin_s, guide.until_s):
             yield from self._do(Wait(min(begin_s, guide.until_s)))
@@ -146,7 +215,7 @@ class Glider:
         self._guide.now_s = answer.now_s
         return answer
 
-    def _limit(self, glides: Sequence[Glide]) -> Generator[Step, StepResult, bool]:
+    def _limit(self, glides: Sequence[_Glide]) -> Generator[Step, StepResult, bool]:
         """Set the speeds that were planned; return whether the answer came in time."""
         step = LimitSpeeds({glide.axis.index: glide.speed_deg_s for glide in glides})
         answer = yield from self._do(step)
@@ -154,7 +223,7 @@ class Glider:
             glide.belief.axis = replace(glide.axis, speed_deg_s=glide.speed_deg_s)
         return not answer.is_lost(step)
 
-    def _send(self, glide: Glide) -> Generator[Step, StepResult, bool]:
+    def _send(self, glide: _Glide) -> Generator[Step, StepResult, bool]:
         """Send an axis where it was planned; return whether the answer came in time."""
         step = Send(glide.axis.index, glide.goal_deg, beyond=True)
         answer = yield from self._do(step)
