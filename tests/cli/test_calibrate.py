@@ -36,7 +36,7 @@ def peaked(calibrate):
     """Peaks on seven objects, as a dish that stands so would read them."""
     from datetime import datetime
 
-    from birdcage.calibration.expected import expected
+    from birdcage.calibration.candidates import expected
 
     for name in OBJECTS:
         where = expected(Resolver().resolve(name).target, Observer(39.1, -95.7), datetime.fromisoformat(AT))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.firmware import menus
 
 PROMPTS = {"eeprom": "EE>"}
 COUNTS = r"\d+"

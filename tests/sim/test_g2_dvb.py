@@ -6,7 +6,7 @@ import re
 
 import pytest
 from birdcage.sim.almanac import geostationary
-from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.firmware import menus
 
 ON_SATELLITE = "az={:.3f}&el={:.3f}"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 import pytest
-from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.firmware import menus
 
 NUMBER = r"-?\d+(\.\d+)?"
 POINT = r"Motor:[01] Angle:\d+ RSSI:\d+ Lock:[01] SNR:\d+ Scan Delta:\d+"

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.calibration.expected import expected
 from birdcage.calibration.peak import SLOT_RISE_DB, sigma_by_hand
 from birdcage.sky.downlinks_hearing import may_hear_slot
 from birdcage.sky.downlinks_read import load_downlinks
@@ -71,3 +70,13 @@ def _all(
         there = SlotTarget(slot)
         az_deg, el_deg = expected(there, observer, when, refraction)
         yield CalibrationObject(there, az_deg, el_deg, sigma_by_hand(SLOT_RISE_DB, beam), None)
+
+
+def expected(
+    target: Target, observer: Observer, when: datetime, refraction: Refraction = "radio"
+) -> tuple[float, float]:
+    """Return true azimuth and elevation of an object, refraction included. BirdcageError where that is not known."""
+    from birdcage.tracking.planning.refraction import lift_deg
+
+    seen = target.look(observer, when)
+    return seen.az_deg, seen.el_deg + float(lift_deg(seen.el_deg, refraction))

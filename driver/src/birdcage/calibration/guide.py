@@ -14,8 +14,7 @@ from birdcage.base.config import Settings, edit, load
 from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
-from birdcage.calibration.candidates import CalibrationObject
-from birdcage.calibration.expected import expected
+from birdcage.calibration.candidates import CalibrationObject, expected
 from birdcage.calibration.peak import SLOT_RISE_DB, MeasuredPeak, sigma_by_hand
 from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, remove_peaks
 from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for

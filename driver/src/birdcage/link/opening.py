@@ -141,10 +141,10 @@ def _open_socket(url: str) -> Port:
 def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple[Port, str | None]:
     import serial
 
-    from birdcage.link import lines, trouble
+    from birdcage.link import trouble
     from birdcage.link.exclusive import shut_others_out
     from birdcage.link.latency import lower_latency
-    from birdcage.link.serial_port import WRITE_TIMEOUT_S, SerialPort
+    from birdcage.link.serial_port import WRITE_TIMEOUT_S, SerialPort, leave_up, stay_up
 
     if is_device:
         _check_device(url, baud)
@@ -157,13 +157,13 @@ def _open_serial(url: str, baud: int, clock: Clock, *, is_device: bool) -> tuple
             write_timeout=WRITE_TIMEOUT_S,
             exclusive=True if is_device else None,
         )
-        lines.leave_up(opened)
+        leave_up(opened)
         opened.open()
     except (OSError, ValueError) as error:
         raise trouble.explain(url, baud, error, is_device=is_device) from error
     remarks = [f"{baud} baud 8N1"]
     if is_device:
-        lines.stay_up(opened)
+        stay_up(opened)
         remarks += filter(None, [shut_others_out(opened), lower_latency(opened, url)])
     return SerialPort(opened, url, clock), "; ".join(remarks)
 

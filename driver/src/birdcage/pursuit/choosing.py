@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage.pursuit.chosen_target import ChosenTarget
-from birdcage.pursuit.frequency import sent_by
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -29,9 +28,18 @@ def choice_of(text: str, target: Target, finder: Finder | None) -> ChosenTarget:
 
 
 def listen_at(choice: ChosenTarget, settings: Settings, downlinks: Path) -> None:
-    """Find out what it sends, and what of it is heard with the feed that is mounted."""
-    if choice.elements is not None:
-        choice.sent, choice.usual = sent_by(choice.elements, settings.active_feed, downlinks)
+    """Find out what it is not known to have ceased to send, and what of it is heard with the feed that is mounted.
+
+    `downlinks`: the user's own table, which need not be there.
+    """
+    from birdcage.sky.downlinks_hearing import first_heard
+    from birdcage.sky.downlinks_read import load_downlinks
+
+    if choice.elements is None:
+        return
+    norad_id, name, table = choice.elements.norad_id, choice.elements.name, load_downlinks(downlinks)
+    choice.sent = tuple(each for each in table.of(norad_id, name) if each.alive is not False)
+    choice.usual = first_heard(table, settings.active_feed)(norad_id, name)
 
 
 def bring_up_to_date(choice: ChosenTarget, finder: Finder) -> bool:

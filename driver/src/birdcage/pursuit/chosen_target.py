@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.circumstances import Circumstances, MountKey, key_of
-from birdcage.pursuit.frequency import downlink_at
 from birdcage.pursuit.passes_of import meant, next_passes, still_followed
 from birdcage.sky.pass_row import PassRow
 
@@ -30,6 +29,8 @@ RENEW_S = 1800.0
 """When a plan of that kind is carried on."""
 SOON = timedelta(hours=3)
 """Until a pass that is further off the dish will have been sent elsewhere."""
+NEAR_HZ = 100_000.0
+"""As near as this a frequency that a person typed is that of a downlink: beyond any Doppler, below any next channel."""
 FIND_AGAIN = timedelta(hours=6)
 """Passes are looked for again when the list is this old, or half of it is over."""
 
@@ -79,7 +80,7 @@ class ChosenTarget:
     def downlink(self) -> Downlink | None:
         """What is sent at that frequency, as far as it is known."""
         if self.wanted_hz is not None:
-            return downlink_at(self.sent, self.wanted_hz)
+            return _downlink_at(self.sent, self.wanted_hz)
         return None if self.usual is None else self.usual.downlink
 
     def forget_plan(self) -> None:
@@ -196,3 +197,11 @@ class ChosenTarget:
         from birdcage.sky.targets.model import Satellite
 
         return self.target if self.elements is None else Satellite(self.elements, self.time_offset_s)
+
+
+def _downlink_at(sent: tuple[Downlink, ...], hertz: float) -> Downlink | None:
+    """Return which of it lies at a frequency; None for none."""
+    for each in sent:
+        if each.freq_min_hz - NEAR_HZ <= hertz <= each.freq_max_hz + NEAR_HZ:
+            return each
+    return None

@@ -11,7 +11,7 @@ from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 from birdcage.rotator.verdict import Grade, Verdict
 from birdcage.station.events import TranscriptLine
 from birdcage.station.mover import Mover
-from birdcage.station.raw_mark import RawMark
+from birdcage.station.raw import RawMark
 from birdcage.station.state import Activity, TvSearch
 from birdcage.station.state_store import StateStore
 

@@ -14,6 +14,7 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 if TYPE_CHECKING:
     from birdcage.station.control_client import Owner
     from birdcage.station.control_messages import ControlRequest
+    from birdcage.station.events import Event
 
 BY = "birdcage events"
 
@@ -105,11 +106,26 @@ def _follow(owner: Owner, request: ControlRequest) -> int:
 def _line(told: dict[str, Any]) -> str:
     """Return an event for a person; one that only a newer birdcage knows by its name."""
     from birdcage.base.errors import BadMessage
-    from birdcage.cli.event_words import words_of_event
     from birdcage.station.json_form import event_from_json
 
     try:
         event = event_from_json(told)
     except BadMessage:
         return f"{'':9}  {told.get('type')} (unknown to this birdcage)"
-    return f"{event.utc:%H:%M:%S}Z  {words_of_event(event)}"
+    return f"{event.utc:%H:%M:%S}Z  {_words_of(event)}"
+
+
+def _words_of(event: Event) -> str:
+    """Return an event in words; the log leaves some of them out, and `birdcage events` none."""
+    from birdcage.station.events import Followed, MoveProgress, TranscriptLine
+    from birdcage.station.narration import words_of
+
+    match event:
+        case MoveProgress(position=position):
+            here = f"AZ {position.az_deg:.2f} EL {position.el_deg:.2f}"
+            return f"under way at {here}, {event.to_go_deg:.2f}° to go, {event.left_s:.1f} s left"
+        case Followed(sample=sample):
+            return f"following: {sample.error_deg:.3f}° off"
+        case TranscriptLine():
+            return f"line {event.direction} {event.text}".rstrip()
+    return " ".join((words_of(event) or type(event).__name__).split())

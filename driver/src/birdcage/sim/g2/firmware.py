@@ -6,13 +6,25 @@ from functools import partial
 
 from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
 from birdcage.sim.firmware import FirmwareHost
+from birdcage.sim.g2.a3981 import A3981Menu
+from birdcage.sim.g2.adc import AdcMenu
 from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.boot import BEFORE_HOMING, boot_log
-from birdcage.sim.g2.console import menus
+from birdcage.sim.g2.dipswitch import DipswitchMenu
+from birdcage.sim.g2.dvb import DvbMenu
+from birdcage.sim.g2.eeprom import EepromMenu
+from birdcage.sim.g2.gpio import GpioMenu
 from birdcage.sim.g2.knobs import G2Settings
+from birdcage.sim.g2.latlon import LatLonMenu
 from birdcage.sim.g2.mechanics import G2Dish
+from birdcage.sim.g2.mot import MotMenu
+from birdcage.sim.g2.nvs import G2NvsMenu
+from birdcage.sim.g2.peak import PeakMenu
+from birdcage.sim.g2.root import G2RootMenu
+from birdcage.sim.g2.step import StepMenu
+from birdcage.sim.g2.system import SystemMenu
 from birdcage.sim.g2.tracker import Tracker
-from birdcage.sim.shell import Pause, Script
+from birdcage.sim.shell import Menu, Pause, Script
 
 
 class G2Firmware:
@@ -70,3 +82,22 @@ def _restart_log() -> Script:
         yield Pause(seconds)
         yield f"{line}\n"
     yield "Boot Complete\n"
+
+
+def menus(board: G2Board) -> dict[str, Menu]:
+    """Return every menu by the word that enters it."""
+    return {
+        "root": G2RootMenu(board),
+        "a3981": A3981Menu(board),
+        "adc": AdcMenu(board),
+        "dipswitch": DipswitchMenu(board),
+        "dvb": DvbMenu(board),
+        "eeprom": EepromMenu(board),
+        "gpio": GpioMenu(board),
+        "latlon": LatLonMenu(board),
+        "mot": MotMenu(board),
+        "nvs": G2NvsMenu(board),
+        "os": SystemMenu(board),
+        "peak": PeakMenu(board),
+        "step": StepMenu(board),
+    }
