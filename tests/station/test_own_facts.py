@@ -100,7 +100,7 @@ def test_faces_without_a_dish_go_by_it_too(tmp_path):
 
 def test_a_dish_that_is_said_to_wait_moves_one_axis_at_a_time_from_the_first_move_on(tmp_path):
     bench = bench_of(tmp_path, 'second_same = "block"\nsecond_other = "block"', WAITS)
-    since = bench.clock.monotonic() - 0.001
+    since = bench.clock.monotonic()
     bench.station.submit(Goto(0, 30, "you"))
     bench.step(1.0)
     assert len(sent_since(bench, since)) == 1

@@ -45,7 +45,8 @@ def settled(address=WAITS):
 
 
 def sent_since(bench, time):
-    return [line for line in bench.moves_since(time) if line.startswith("a ")]
+    """The moves that the dish has received from a time on: the first goes out at the very moment it is asked for."""
+    return [line for line in bench.moves_since(time - 0.001) if line.startswith("a ")]
 
 
 def busy_told(bench):
