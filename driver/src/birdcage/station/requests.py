@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Goto:
-    """Point there, exactly, once. Its future resolves at arrival with a `PositionRead`."""
+    """Point there, exactly, once. Its future resolves at arrival with a `Pointing`."""
 
     az_deg: float
     el_deg: float
