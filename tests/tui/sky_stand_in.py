@@ -6,13 +6,17 @@ import math
 from dataclasses import replace
 from datetime import UTC, datetime
 
+from birdcage.sky.elements import ElementSet
 from birdcage.sky.footprint import footprint
 from birdcage.sky.horizon import HorizonMask
 from birdcage.sky.observer import Observer
+from birdcage.sky.pass_row import Distance, PassRow
+from birdcage.sky.passes.model import Pass
 from birdcage.sky.reach_model import LossReason, Lost, PassReach, Stretch
+from birdcage.sky.sun_crossing import SunApproach
 from birdcage.sky.terminator import sub_solar
 from birdcage.sky.world import SubPoint, WorldView
-from birdcage_tui.shown.sky_picture import Age, DopplerFrequency, Path, Row, ShownPath, SkyPicture, Up
+from birdcage_tui.shown.sky_picture import Age, DopplerFrequency, Path, ShownPass, SkyPicture, Up
 
 NOON = datetime(2026, 3, 20, 12, tzinfo=UTC).timestamp()
 LRPT = DopplerFrequency(137.9e6, "its LRPT", ("LRPT, RHCP, 72 kbaud", "SatDump meteor_m2-x_lrpt", "on 2026-10-16"))
@@ -96,6 +100,24 @@ OTHERS = (
 """What is up all the time: name, number, azimuth, elevation."""
 
 
+def shown_pass(name, number, times_s, azimuths, top_deg, *, reach=None, path=None, elements=None, **changes):
+    """One pass as the pages show it; times and azimuths are those of AOS, TCA and LOS."""
+    passing = Pass(name, number, *map(utc, times_s), *azimuths, float(top_deg))
+    elements = elements or ElementSet(name, number, utc(NOON), 98.6, 40.0, 0.001, 0.0, 0.0, 14.2)
+    away = Distance(820.0, 0.0)
+    found = PassRow(passing, elements, reach or PassReach(), 1.0, None, away, away, away)
+    one = ShownPass(found, False, (), None, AGE, lambda: None, (), lambda: path)
+    return changed(one, **changes)
+
+
+def changed(row, **changes):
+    """The same pass with other facts, whoever holds them: the app, the driver's row or the pass itself."""
+    of = [{key: changes.pop(key) for key in list(changes) if key in held.__dataclass_fields__}
+          for held in (ShownPass, PassRow, Pass)]  # fmt: skip
+    assert not changes, f"no such facts: {changes}"
+    return replace(row, found=replace(row.found, passing=replace(row.found.passing, **of[2]), **of[1]), **of[0])
+
+
 def rows(now_s=NOON):
     """The passes over the stand-in's place."""
     found = []
@@ -103,10 +125,10 @@ def rows(now_s=NOON):
         aos = now_s + minutes * 60.0
         path = path_of(aos, length * 60.0, from_az, to_az, top)
         highest = max(range(121), key=lambda index: path.el_deg[index])
-        found.append(Row(
-            name, number, aos, path.t_s[highest], path.t_s[-1], from_az, path.az_deg[highest], to_az, float(top),
-            reach_of(path), ShownPath(lambda path=path: path), favourite, groups, AGE,
-            hears="137.9 MHz LRPT" if name.startswith("METEOR") else "", sunlit_share=1.0, sun=(aos + 120.0, 31.0),
+        found.append(shown_pass(
+            name, number, (aos, path.t_s[highest], path.t_s[-1]), (from_az, path.az_deg[highest], to_az), top,
+            reach=reach_of(path), path=path, favourite=favourite, groups=groups,
+            hears="137.9 MHz LRPT" if name.startswith("METEOR") else "", sun=SunApproach(utc(aos + 120.0), 31.0),
             tuned=lambda name=name: LRPT if name.startswith("METEOR") else None,
         ))  # fmt: skip
     return tuple(sorted(found, key=lambda row: row.aos_s))

@@ -8,7 +8,6 @@ from dataclasses import replace
 import pytest
 import sky_stand_in
 from birdcage_tui.shown.pass_words import reach_text
-from birdcage_tui.shown.sky_picture import ShownPath
 from test_passes_page import on_page, pressed
 from track_plans import NOON
 from track_stage import SIZES, read, run
@@ -68,11 +67,12 @@ def geo_row(**changes):
     path = replace(
         path, az_deg=tuple(190.0 for _ in times), el_deg=tuple(40.0 + 0.03 * (n % 2) for n in range(len(times)))
     )
-    return replace(
-        sky_stand_in.rows()[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True, favourite=True,
-        aos_s=NOON, tca_s=NOON + 3600.0, los_s=NOON + 86400.0, max_el_deg=40.0, way=ShownPath(lambda: path),
-        reach=sky_stand_in.in_reach((NOON, NOON + 86400.0), best=40.0), **changes,
-    )  # fmt: skip
+    times_s = (NOON, NOON + 3600.0, NOON + 86400.0)
+    reach = sky_stand_in.in_reach((NOON, times_s[2]), best=40.0)
+    row = sky_stand_in.shown_pass(
+        "GEO 95W", 9, times_s, (190.0, 190.0, 190.0), 40.0, reach=reach, path=path, already_up=True, still_up=True
+    )
+    return sky_stand_in.changed(row, favourite=True, **changes)
 
 
 @pytest.mark.parametrize("size", SIZES[:3], ids=str)
@@ -90,8 +90,6 @@ def test_f7_lists_and_draws_it_without_a_duration(size):
 
 
 def test_a_pass_that_lasts_beyond_the_search_is_longer_than_what_was_searched():
-    row = replace(geo_row(), already_up=False)
+    row = geo_row(already_up=False)
     assert reach_text(row) == ">24h"
-    assert (
-        reach_text(replace(geo_row(), reach=sky_stand_in.in_reach(lost=((NOON, NOON + 86400.0, "floor"),)))) == "none"
-    )
+    assert reach_text(geo_row(reach=sky_stand_in.in_reach(lost=((NOON, NOON + 86400.0, "floor"),)))) == "none"

@@ -10,6 +10,7 @@ import sky_stand_in
 from birdcage.base.beam import Beam
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import separation
+from birdcage.sky.sun_crossing import SunApproach
 from birdcage_tui.feeds.sky_hearing import hearing_of, tuning_of
 from birdcage_tui.passes.figures import signal_lines, sun_lines
 from birdcage_tui.shown.sky_picture import DopplerFrequency
@@ -88,11 +89,11 @@ def test_without_a_downlink_doppler_is_told_per_100_mhz():
 
 
 def test_the_sun_in_the_beam_is_a_warning():
-    row = replace(sky_stand_in.rows()[0], sun=(sky_stand_in.NOON, 3.0))
+    row = sky_stand_in.changed(sky_stand_in.rows()[0], sun=SunApproach(sky_stand_in.utc(sky_stand_in.NOON), 3.0))
     assert sun_lines(row, Beam(6.3, 6.3))[-1] == ("warn", "▲ Sun in the beam 12:00:00")
     assert sun_lines(row, Beam(2.0, 2.9))[-1] == ("text", "Sun 3° off at 12:00")
-    assert sun_lines(replace(row, sun=None, sunlit_share=0.4), 6.3) == [("text", "Sun-lit 40% of it, Sun down")]
-    assert sun_lines(replace(row, sunlit_share=None), 6.3) == []
+    night = sky_stand_in.changed(row, sun=None, sunlit_share=0.4)
+    assert sun_lines(night, Beam(6.3, 6.3)) == [("text", "Sun-lit 40% of it, Sun down")]
 
 
 def test_range_between_samples_is_that_of_a_smooth_path():

@@ -361,7 +361,7 @@ def test_no_filter_hides_passes_unsaid_on_a_small_screen(keys):
 
 def test_what_stays_up_is_left_out_and_counted_but_found_by_name():
     table = sky_stand_in.rows()
-    fixed = replace(table[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True)
+    fixed = sky_stand_in.changed(table[0], name="GEO 95W", norad_id=9, already_up=True, still_up=True)
 
     async def find(app, pilot):
         before = await pressed(app, pilot)
@@ -375,9 +375,9 @@ def test_what_stays_up_is_left_out_and_counted_but_found_by_name():
 
 def test_the_end_of_the_search_is_no_event():
     table = sky_stand_in.rows()
-    last = replace(table[1], still_up=True)
+    last = sky_stand_in.changed(table[1], still_up=True)
     end_s = last.los_s
-    held = replace(last, reach=sky_stand_in.in_reach((last.aos_s + 60.0, end_s), best=40.0))
+    held = sky_stand_in.changed(last, reach=sky_stand_in.in_reach((last.aos_s + 60.0, end_s), best=40.0))
     assert held.next_event(last.aos_s) == (last.aos_s + 60.0, "reach")
     assert held.next_event(last.aos_s + 90.0) is None, "nobody knows when it ends"
     assert "LOS" not in [word for _, word in held.events()]

@@ -1,13 +1,11 @@
 """The selected pass over the sky: its name and times beside the marks, and the figures, each where it can be read."""
 
 import re
-from dataclasses import replace
 
 import pytest
 import sky_stand_in
 from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.plot import PassSky
-from birdcage_tui.shown.sky_picture import ShownPath
 from stage import run
 from stand_in import text_of
 
@@ -19,12 +17,10 @@ def near_the_rim(before_los_s):
     found = []
     for place, az_deg in enumerate(range(0, 360, 40)):
         path = sky_stand_in.path_of(sky_stand_in.NOON - 440.0 + before_los_s + place, 440.0, az_deg + 100, az_deg, 12)
-        first = sky_stand_in.rows()[0]
-        found.append(replace(
-            first, name=NAME, norad_id=12000 + place, aos_s=path.t_s[0], tca_s=path.t_s[60], los_s=path.t_s[-1],
-            aos_az_deg=path.az_deg[0], tca_az_deg=path.az_deg[60], los_az_deg=path.az_deg[-1], max_el_deg=12.0,
-            reach=sky_stand_in.reach_of(path), way=ShownPath(lambda path=path: path),
-        ))  # fmt: skip
+        times_s, azimuths = (tuple(each[index] for index in (0, 60, -1)) for each in (path.t_s, path.az_deg))
+        reach = sky_stand_in.reach_of(path)
+        row = sky_stand_in.shown_pass(NAME, 12000 + place, times_s, azimuths, 12.0, reach=reach, path=path)
+        found.append(sky_stand_in.changed(row, favourite=True, groups=("weather",)))
     return tuple(found)
 
 

@@ -77,7 +77,7 @@ def test_no_dot_stands_in_a_name():
 
 
 def test_among_thousands_of_passes_favourites_come_first():
-    table = [replace(sky_stand_in.rows()[0], name=f"DEBRIS {number}", norad_id=number, favourite=False)
+    table = [sky_stand_in.changed(sky_stand_in.rows()[0], name=f"DEBRIS {number}", norad_id=number, favourite=False)
              for number in range(200)]  # fmt: skip
     mine = next(row for row in sky_stand_in.rows() if row.name.startswith("NOAA 20"))
     sky = sky_stand_in.make(rows=(*table, replace(mine, favourite=True)))

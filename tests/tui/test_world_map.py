@@ -19,7 +19,6 @@ from birdcage_tui.passes.listing import PassList
 from birdcage_tui.passes.world_map import WorldMapPane, place_text
 from birdcage_tui.passes.world_map_ask import PassWorld, seen_text
 from birdcage_tui.passes.world_map_chart import Chart, Layers
-from birdcage_tui.shown.sky_picture import Row
 from stage import run
 from stand_in import text_of
 
@@ -302,11 +301,9 @@ def test_hidden_it_asks_for_nothing():
 
 def test_the_world_is_worked_out_from_the_elements_of_the_passes():
     elements = ElementSet("DEMO LEO", 7, NOON, 98.6, 40.0, 0.001, 0.0, 0.0, 14.2)
-    origin = SimpleNamespace(elements=elements, time_offset_s=0.0)
-    row = Row("LEO", 7, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, 10.0, origin=origin)
-    other = replace(row, name="OTHER", origin=SimpleNamespace(elements=elements, time_offset_s=60.0))
-    bare = replace(row, name="BARE", origin=None)
-    seen = world_of(Ask(int(NOON.timestamp()), row, (other, bare)), HERE)
+    row = sky_stand_in.shown_pass("DEMO LEO", 7, (0.0, 1.0, 2.0), (0.0, 0.0, 0.0), 10.0, elements=elements)
+    other = sky_stand_in.changed(row, name="OTHER", time_offset_s=60.0)
+    seen = world_of(Ask(int(NOON.timestamp()), row, (other,)), HERE)
     assert seen.utc == NOON
     assert seen.chosen is not None
     assert (seen.chosen.name, [one.name for one in seen.satellites]) == ("LEO", ["OTHER"])
@@ -341,10 +338,11 @@ def test_the_map_says_until_when_the_satellite_is_in_view_and_names_the_dish(siz
     (-5, "in view here 12:00 to 12:10"), (5, "in view here to 12:10"), (15, "")
 ])  # fmt: skip
 def test_when_it_is_in_view_is_told_from_the_pass(minutes, words):
-    row = Row("A", 1, sky_stand_in.NOON, 0.0, sky_stand_in.NOON + 600, 0.0, 0.0, 0.0, 40.0)
-    t_s = sky_stand_in.NOON + minutes * 60
+    noon_s = sky_stand_in.NOON
+    row = sky_stand_in.shown_pass("A", 1, (noon_s, noon_s + 300, noon_s + 600), (0.0, 0.0, 0.0), 40.0)
+    t_s = noon_s + minutes * 60
     assert seen_text(row, t_s) == words
-    always = replace(row, already_up=True, still_up=True)
+    always = sky_stand_in.changed(row, already_up=True, still_up=True)
     assert seen_text(always, t_s) == "always in view here"
 
 

@@ -1,7 +1,6 @@
 """The map of the world and the dish: what it follows is named there, and when it can follow the selected pass."""
 
 import re
-from dataclasses import replace
 from types import SimpleNamespace
 
 import pytest
@@ -31,8 +30,9 @@ def test_what_the_dish_follows_is_named_as_that_among_many(chosen):
 def test_a_pass_in_view_that_the_dish_cannot_follow_says_so():
     row = sky_stand_in.rows()[0]
     spans = ((row.aos_s + 60.0, row.aos_s + 120.0), (row.aos_s + 240.0, row.aos_s + 300.0))
-    told = replace(row, reach=sky_stand_in.in_reach(*spans))
-    assert reach_span_text(replace(row, reach=sky_stand_in.in_reach()), row.aos_s) == "never in reach"
+    told = sky_stand_in.changed(row, reach=sky_stand_in.in_reach(*spans))
+    never = sky_stand_in.changed(row, reach=sky_stand_in.in_reach())
+    assert reach_span_text(never, row.aos_s) == "never in reach"
     assert re.fullmatch(r"in reach \d\d:\d\d-\d\d:\d\d", reach_span_text(told, row.aos_s))
     assert re.fullmatch(r"in reach to \d\d:\d\d", reach_span_text(told, row.aos_s + 90.0))
     assert reach_span_text(told, row.aos_s + 301.0) == "no longer in reach"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from datetime import datetime, timedelta
+from functools import partial
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation
@@ -19,12 +19,12 @@ from birdcage.sky.sun import sun
 from birdcage.sky.watch_model import SkyNow, UpNow
 
 from birdcage_tui.shown.sky_picture import (
+    DEMO,
     GRADE_INKS,
     Age,
     DopplerFrequency,
     Path,
-    Row,
-    ShownPath,
+    ShownPass,
     SkyPicture,
     Up,
 )
@@ -41,7 +41,6 @@ MOST_OTHERS = 1000
 """With so many passes of satellites that are no favourites the watch lists no later ones (`sky.pass_search_job`)."""
 GEO_KM, STILL_KM_S = 34_000.0, 0.02
 """From so far, and as slow as that, a satellite stands still in the sky."""
-DEMO = "DEMO "
 TRAIL_DEG, TRAIL = 0.4, 24
 """How far apart the points of a trail are, at least, and how many are kept."""
 
@@ -62,10 +61,11 @@ class Converter:
         """At which frequency Doppler of a satellite is told, by number and name."""
         self.also: Callable[[int, str], tuple[str, ...]] | None = None
         """What else a satellite is called, by number and name."""
-        self._rows: dict[int, tuple[PassRow, Row]] = {}
+        self._rows: dict[int, ShownPass] = {}
+        """By `id` of what the driver found."""
         self._made_of: tuple[object, ...] = ()
         """What `_table` was made of."""
-        self._table: tuple[Row, ...] = ()
+        self._table: tuple[ShownPass, ...] = ()
         self._old: dict[tuple[int, str], tuple[ElementSet, int, bool]] = {}
         """Whether elements are too old, and for which hour since 1970 that was worked out."""
         self._trails: dict[tuple[int, str], tuple[tuple[float, float], ...]] = {}
@@ -125,15 +125,12 @@ class Converter:
             trail = (*trail[-TRAIL + 1 :], (one.az_deg, one.el_deg))
         return Up(name, one.norad_id, one.az_deg, one.el_deg, known, fixed, self._is_old(one, now), trail)
 
-    def _also(self, found: PassRow) -> tuple[str, ...]:
-        return () if self.also is None else self.also(found.passing.norad_id, found.passing.name)
-
-    def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[Row, ...]:
+    def _rows_of(self, sky: SkyNow, observer: Observer) -> tuple[ShownPass, ...]:
         made_of = (sky.passes, observer, dict(self.favourites), self.groups, self.hears)
         if made_of == self._made_of:
             return self._table  # nearly always, once all is searched: then a thousand rows cost nothing
         self._made_of = made_of
-        kept: dict[int, tuple[PassRow, Row]] = {}
+        kept: dict[int, ShownPass] = {}
         told: dict[int | str, bool] = {}
         for found in sky.passes:
             known = self._rows.get(id(found))
@@ -144,58 +141,26 @@ class Converter:
                 told[satellite] = told.get(satellite, True) and found.favourite == favourite
             groups = self.groups.get(key_of(found.elements), ())
             hears = None if self.hears is None else self.hears(passing.norad_id, passing.name)
-            old = None if known is None or known[0] is not found else known[1]
             if (
                 known is not None
-                and old is not None
-                and (old.favourite, old.groups, old.hears) == (favourite, groups, hears)
+                and known.found is found
+                and (known.favourite, known.groups, known.hears) == (favourite, groups, hears)
             ):
                 kept[id(found)] = known
             else:
-                kept[id(found)] = (
-                    found,
-                    replace(
-                        _row(found, observer, favourite, groups, hears),
-                        tuned=self._tuned(found),
-                        also=self._also(found),
-                    ),
-                )
+                also = () if self.also is None else self.also(passing.norad_id, passing.name)
+                kept[id(found)] = ShownPass(
+                    found, favourite, groups, hears, _age(found), self._tuned(found), also,
+                    partial(_path, found, observer),
+                )  # fmt: skip
         self._rows = kept
         for satellite, known_now in told.items():
             if known_now:  # from here on the catalogue's word counts again, whoever changes it
                 self.favourites.pop(satellite, None)
-        table = tuple(row for _, row in kept.values())
+        table = tuple(kept.values())
         if len(table) != len(self._table) or any(a is not b for a, b in zip(table, self._table, strict=True)):
             self._table = table  # else the old one: what was made of it is kept, too
         return self._table
-
-
-def _row(found: PassRow, observer: Observer, favourite: bool, groups: tuple[str, ...], hears: str | None) -> Row:
-    passing = found.passing
-    aos_s, los_s = passing.aos.timestamp(), passing.los.timestamp()
-    elements, later_s = found.elements, found.time_offset_s
-    return Row(
-        passing.name.removeprefix(DEMO),
-        passing.norad_id,
-        aos_s,
-        passing.tca.timestamp(),
-        los_s,
-        passing.aos_azimuth_deg,
-        passing.tca_azimuth_deg,
-        passing.los_azimuth_deg,
-        passing.max_elevation_deg,
-        found.reach,
-        ShownPath(lambda: _path(elements, observer, aos_s, passing.tca.timestamp(), los_s, later_s)),
-        favourite,
-        groups,
-        _age(found),
-        passing.already_up,
-        passing.still_up,
-        hears,
-        found.sunlit_share,
-        None if found.sun is None else (found.sun.at.timestamp(), found.sun.separation_deg),
-        origin=found,
-    )
 
 
 def _age(found: PassRow) -> Age:
@@ -208,14 +173,16 @@ def _age(found: PassRow) -> Age:
     return Age(error.words, short, error.glyph, GRADE_INKS[error.grade], error.grade == "useless")
 
 
-def _path(elements: ElementSet, observer: Observer, aos_s: float, tca_s: float, los_s: float, later_s: float) -> Path:
+def _path(found: PassRow, observer: Observer) -> Path:
+    """Work out the path of a pass, closer about the top."""
     import numpy as np
     from birdcage.sky.propagate import track
 
+    aos_s, tca_s, los_s = (at.timestamp() for at in (found.passing.aos, found.passing.tca, found.passing.los))
     about = 0.06 * (los_s - aos_s)
     close = np.linspace(max(tca_s - about, aos_s), min(tca_s + about, los_s), SAMPLES // 2)
     times = np.unique(np.concatenate([np.linspace(aos_s, los_s, SAMPLES // 2), close]))
-    found = track(elements, observer, times, later_s)
-    good = np.isfinite(found.el_deg)
-    kept = (found.t_s, found.az_deg, found.el_deg, found.range_km, found.range_rate_km_s)
+    way = track(found.elements, observer, times, found.time_offset_s)
+    good = np.isfinite(way.el_deg)
+    kept = (way.t_s, way.az_deg, way.el_deg, way.range_km, way.range_rate_km_s)
     return Path(*(tuple(each[good].tolist()) for each in kept))

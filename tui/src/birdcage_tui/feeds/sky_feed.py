@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from birdcage_tui.feeds.sky_add import AddOutcome
     from birdcage_tui.feeds.world_ask import Ask
-    from birdcage_tui.shown.sky_picture import Row, SkyPicture
+    from birdcage_tui.shown.sky_picture import ShownPass, SkyPicture
 
 Show = Callable[["SkyPicture"], object]
 """Takes a picture of the sky, on whichever thread made it."""
@@ -49,7 +49,7 @@ class SkySource(Protocol):
     def set_favourite(self, satellite: int | str, favourite: bool) -> None:
         """Mark or unmark a satellite, by number or name."""
 
-    def export(self, rows: Sequence[Row]) -> None:
+    def export(self, rows: Sequence[ShownPass]) -> None:
         """Write passes to files, and tell where."""
 
     def look_down(self, ask: Ask, show: ShowWorld) -> None:
@@ -106,7 +106,7 @@ class SkyFeed:
         if self.source is not None:
             self.source.set_favourite(satellite, favourite)
 
-    def export(self, rows: Sequence[Row]) -> None:
+    def export(self, rows: Sequence[ShownPass]) -> None:
         """Write passes to files; where is told later."""
         if self.source is not None:
             self.source.export(rows)

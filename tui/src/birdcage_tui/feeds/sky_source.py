@@ -27,7 +27,7 @@ from birdcage_tui.feeds.demo_sky import lay_demo_sky
 from birdcage_tui.feeds.sky_convert import Converter
 from birdcage_tui.feeds.sky_hearing import heard_by, hearing_of, naming_of, tuning_of
 from birdcage_tui.shown.options import SitePlace
-from birdcage_tui.shown.sky_picture import DopplerFrequency, Row
+from birdcage_tui.shown.sky_picture import DopplerFrequency, ShownPass
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -122,7 +122,7 @@ class WatchedSky:
         self._jobs.put(self._show_again)
         self._jobs.put(lambda: self._keep_favourite(satellite, favourite))
 
-    def export(self, rows: Sequence[Row]) -> None:
+    def export(self, rows: Sequence[ShownPass]) -> None:
         """Write passes to files, and tell where."""
         self._jobs.put(lambda: self._write(tuple(rows)))
 
@@ -249,10 +249,10 @@ class WatchedSky:
         if not self._closed.is_set():
             show(world_of(ask, self._observer))
 
-    def _write(self, rows: tuple[Row, ...]) -> None:
+    def _write(self, rows: tuple[ShownPass, ...]) -> None:
         from birdcage_tui.feeds.pass_files import write_passes
 
-        found = [row.origin for row in rows if row.origin is not None]
+        found = [row.found for row in rows]
         sky = self._sky
         if sky is None or sky.observer is None or not found:
             self._say("No passes to export. No file was written.")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from birdcage.sky.observer import Observer
 from birdcage.sky.world import WorldView
 
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 
 if TYPE_CHECKING:
     from birdcage.sky.look_down import Mapped
@@ -20,8 +20,8 @@ class Ask:
     """What the map is to show: a moment to the second, the chosen pass, and one pass of each other satellite."""
 
     t_s: int
-    chosen: Row | None
-    others: tuple[Row, ...]
+    chosen: ShownPass | None
+    others: tuple[ShownPass, ...]
 
 
 def world_of(ask: Ask, observer: Observer | None) -> WorldView:
@@ -29,14 +29,12 @@ def world_of(ask: Ask, observer: Observer | None) -> WorldView:
     from birdcage.sky.look_down import world_view
 
     chosen = None if ask.chosen is None else _mapped(ask.chosen)
-    others = [one for one in map(_mapped, ask.others) if one is not None]
+    others = [_mapped(one) for one in ask.others]
     return world_view(datetime.fromtimestamp(ask.t_s, UTC), observer, chosen, others)
 
 
-def _mapped(row: Row) -> Mapped | None:
+def _mapped(row: ShownPass) -> Mapped:
     from birdcage.sky.look_down import Mapped
 
-    if row.origin is None:
-        return None
-    elements = replace(row.origin.elements, name=row.name)
-    return Mapped(elements, row.origin.time_offset_s, row.favourite)
+    elements = replace(row.found.elements, name=row.name)
+    return Mapped(elements, row.found.time_offset_s, row.favourite)

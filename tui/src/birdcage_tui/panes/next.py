@@ -17,7 +17,7 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
-    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.shown.sky_picture import ShownPass
     from birdcage_tui.widgets.spark import Sparks
 
 WITH_HEADING = 4
@@ -32,7 +32,7 @@ def _wrapped(words: str, width: int) -> list[str]:
     return [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
 
 
-def _followed(row: Row, view: View) -> bool:
+def _followed(row: ShownPass, view: View) -> bool:
     """Return whether a pass is the one under way, of which *Pointing* tells how long it is in reach."""
     pursuit = pursuit_of(view.state)
     passing = None if pursuit is None or pursuit.phase is not Phase.FOLLOWING else pursuit.plan.passing

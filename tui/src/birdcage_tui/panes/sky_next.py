@@ -11,7 +11,7 @@ from birdcage_tui.shown.pass_words import count_text, length_text
 from birdcage_tui.shown.view import View
 
 if TYPE_CHECKING:
-    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.shown.sky_picture import ShownPass
     from birdcage_tui.widgets.spark import Sparks
 
 EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "sets in"}
@@ -36,7 +36,7 @@ def troubled(view: View) -> bool:
     return not view.link_up or state.held is not None or state.fault is not None or state.homed is not True
 
 
-def next_rows(view: View) -> list[Row]:
+def next_rows(view: View) -> list[ShownPass]:
     """Return the passes whose reach begins or ends next; in a crowd favourites first.
 
     None by elements that are too old for a dish.
@@ -46,9 +46,9 @@ def next_rows(view: View) -> list[Row]:
     now_s = view.utc.timestamp()
     found = []
     for row in view.sky.rows:
-        if row.age is not None and row.age.useless:
+        if row.age.useless:
             continue
-        if row.reach is not None and row.reach.intervals and row.reach.intervals[-1].end_s > now_s:
+        if row.reach.intervals and row.reach.intervals[-1].end_s > now_s:
             event = row.next_event(now_s)
             if event is not None:
                 found.append((event[0], row))
@@ -57,8 +57,9 @@ def next_rows(view: View) -> list[Row]:
 
 
 def draw_next(
-    cells: Cells, y: int, row: Row, now_s: float, ink: str = "", sparks: Sparks | None = None, *, headed: bool = False
-) -> None:
+    cells: Cells, y: int, row: ShownPass, now_s: float, ink: str = "", sparks: Sparks | None = None, *,
+    headed: bool = False,
+) -> None:  # fmt: skip
     """Write what comes next and when, the name, the highest elevation and how long all of it is in reach.
 
     Without headings only the countdown tells how long of a pass that is in reach now. `ink`: all in one. `sparks` draws
@@ -67,7 +68,7 @@ def draw_next(
     event = row.next_event(now_s)
     if event is None:
         return
-    inside = row.reach is not None and row.reach.holds(now_s)
+    inside = row.reach.holds(now_s)
     dim, text = ink or "dim", ink or ("strong" if inside else "text")
     cells.put(1, y, EVENTS.get(event[1], event[1]), dim)
     cells.right(16, y, count_text(event[0] - now_s), text)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 
 SORTS = ("next event", "minutes in reach", "highest", "AOS")
 """What happens next first; the longest in reach first; the highest first; by rise."""
 _NOT_A_WORD = re.compile(r"[\W_]+")
-_KEYS: dict[str, Callable[[Row], tuple[float, float]]] = {
+_KEYS: dict[str, Callable[[ShownPass], tuple[float, float]]] = {
     "minutes in reach": lambda row: (-row.reach_s, row.aos_s),
     "highest": lambda row: (-row.max_el_deg, row.aos_s),
     "AOS": lambda row: (row.aos_s, 0.0),
@@ -21,7 +21,7 @@ def _plain(text: str) -> str:
     return _NOT_A_WORD.sub(" ", text.casefold()).strip()
 
 
-def matcher(text: str) -> Callable[[Row], bool]:
+def matcher(text: str) -> Callable[[ShownPass], bool]:
     """Return what tells whether a pass is meant: every word begins a word of its names, number or groups.
 
     Case, hyphens and brackets do not count; `metop`, `noaa 20`, `57166`, `weather` and `ao-91` all find theirs.
@@ -29,7 +29,7 @@ def matcher(text: str) -> Callable[[Row], bool]:
     words = _plain(text).split()
     known: dict[tuple[str, int, tuple[str, ...]], bool] = {}
 
-    def meant(row: Row) -> bool:
+    def meant(row: ShownPass) -> bool:
         key = (row.name, row.norad_id, row.groups)
         found = known.get(key)
         if found is None:
@@ -53,16 +53,16 @@ class PassFilter:
         self.favourites_only = False
         self.hearable_only: bool | None = None
         """None: as the sky begins."""
-        self._of: Sequence[Row] = ()
-        self._kept: tuple[object, list[Row]] | None = None
-        self._left: tuple[int, list[Row]] | None = None
+        self._of: Sequence[ShownPass] = ()
+        self._kept: tuple[object, list[ShownPass]] | None = None
+        self._left: tuple[int, list[ShownPass]] | None = None
 
     def next_sort(self) -> str:
         """Take the next order, and return its name."""
         self.sort = SORTS[(SORTS.index(self.sort) + 1) % len(SORTS)]
         return self.sort
 
-    def of(self, rows: Sequence[Row], t_s: float, *, hearable: bool = False) -> list[Row]:
+    def of(self, rows: Sequence[ShownPass], t_s: float, *, hearable: bool = False) -> list[ShownPass]:
         """Return the passes to show at a moment: those that are not over, to the second.
 
         `hearable`: only what the feed in use hears.
@@ -77,7 +77,7 @@ class PassFilter:
             self._left = int(t_s), left
         return self._left[1]
 
-    def _chosen(self, rows: Sequence[Row], hearable: bool) -> list[Row]:
+    def _chosen(self, rows: Sequence[ShownPass], hearable: bool) -> list[ShownPass]:
         """Leave out what is up all the time, too, unless it is asked for by name."""
         meant = matcher(self.filter)
         chosen = [

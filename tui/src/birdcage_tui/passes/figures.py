@@ -10,7 +10,7 @@ from birdcage.sky.doppler import doppler_hz
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text
-from birdcage_tui.shown.sky_picture import DopplerFrequency, Row
+from birdcage_tui.shown.sky_picture import DopplerFrequency, ShownPass
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -56,19 +56,18 @@ class PassFigures(Pane):
             y += 1
 
     @staticmethod
-    def _line(row: Row, words: str, at_s: float) -> str:
+    def _line(row: ShownPass, words: str, at_s: float) -> str:
         if (words == "AOS" and row.already_up) or (words == "LOS" and row.still_up):
             return "already up" if words == "AOS" else "after the search ends"
-        place = None if row.path is None else row.path.at(at_s)
+        place = row.path.at(at_s)
         range_text, doppler = away(row, at_s)
         azimuth = "--" if place is None else f"{place[0]:.1f}°"
         return f"{clock_text(at_s)}{azimuth:>10}{range_text:>11}{doppler:>13}"
 
 
-def frequency_of(row: Row) -> DopplerFrequency:
+def frequency_of(row: ShownPass) -> DopplerFrequency:
     """Return the frequency that Doppler is told for."""
-    found = None if row.tuned is None else row.tuned()
-    return found or PER
+    return row.tuned() or PER
 
 
 def frequency_words(frequency: DopplerFrequency) -> str:
@@ -76,7 +75,7 @@ def frequency_words(frequency: DopplerFrequency) -> str:
     return f"{frequency.hz / 1e6:.10g} MHz, {frequency.what}"
 
 
-def doppler_at(row: Row) -> str:
+def doppler_at(row: ShownPass) -> str:
     """Return the same, without what the line of what is sent says already."""
     frequency = frequency_of(row)
     number = f"{frequency.hz / 1e6:.10g} MHz"
@@ -84,9 +83,9 @@ def doppler_at(row: Row) -> str:
     return number if row.hears and row.hears.startswith(told) else frequency_words(frequency)
 
 
-def away(row: Row, at_s: float) -> tuple[str, str]:
+def away(row: ShownPass, at_s: float) -> tuple[str, str]:
     """Return range and Doppler at a time, with units; dashes where they are not known."""
-    found = None if row.path is None else row.path.distance(at_s)
+    found = row.path.distance(at_s)
     if found is None:
         return "--", "--"
     return f"{found[0]:.0f} km", f"{_kilohertz(doppler_hz(frequency_of(row).hz, found[1]))} kHz"
@@ -97,30 +96,28 @@ def _kilohertz(shift_hz: float) -> str:
     return f"{round(shift_hz / 1e3, digits) or 0.0:+.{digits}f}"  # never -0.00
 
 
-def clock_lines(row: Row) -> list[tuple[str, str]]:
+def clock_lines(row: ShownPass) -> list[tuple[str, str]]:
     """Return (ink, words) of what a second costs where the pass is fastest."""
-    rate = None if row.path is None else row.path.fastest_deg_s()
+    rate = row.path.fastest_deg_s()
     if rate is None:
         return []
     return [("text", f"1 s of clock error costs {cost_deg(1.0, rate):.2g}°")]
 
 
-def sun_lines(row: Row, beam: Beam | None) -> list[tuple[str, str]]:
+def sun_lines(row: ShownPass, beam: Beam | None) -> list[tuple[str, str]]:
     """Return (ink, words) of whether the Sun shines on it, and whether it passes before the Sun."""
-    if row.sunlit_share is None:
-        return []
-    share = row.sunlit_share
+    share, sun = row.found.sunlit_share, row.found.sun
     lit = "Sun-lit" if share > 0.99 else "in shadow" if share < 0.01 else f"Sun-lit {share:.0%} of it"
-    if row.sun is None:
+    if sun is None:
         return [("text", f"{lit}, Sun down")]
-    at_s, apart_deg = row.sun
+    at_s, apart_deg = sun.at.timestamp(), sun.separation_deg
     crosses = apart_deg <= SUN_RADIUS_DEG + (0.0 if beam is None else max(beam.az_deg, beam.el_deg) / 2.0)
     told = ("warn", f"▲ Sun in the beam {clock_text(at_s)}") if crosses else (
         "text", f"Sun {apart_deg:.0f}° off at {clock_text(at_s, seconds=False)}")  # fmt: skip
     return [("text", lit), told]
 
 
-def signal_lines(row: Row) -> list[tuple[str, str]]:
+def signal_lines(row: ShownPass) -> list[tuple[str, str]]:
     """Return (ink, words) of what is sent, SatDump's name for it, and how sure that is."""
     frequency = frequency_of(row)
     return [

@@ -12,7 +12,7 @@ from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.passes.empty import GET_ELEMENTS, empty_words
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text, count_text, reach_sign, reach_text, reasons_text, standing_text
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.spark import Sparks
@@ -43,7 +43,7 @@ class PassList(Pane, can_focus=True):
         self._selection = selection
         self._sparks = Sparks()
         self._top = 0
-        self._shown: list[Row] = []
+        self._shown: list[ShownPass] = []
 
     @property
     def page_rows(self) -> int:
@@ -120,7 +120,7 @@ class PassList(Pane, can_focus=True):
             cells.put(cells.width - TIMES, 0, "AOS        LOS", "dim")
 
     @staticmethod
-    def _times(row: Row) -> str:
+    def _times(row: ShownPass) -> str:
         """Return when and where it rises and sets: `15:30 223° 15:40  55°`."""
         if row.stays:
             return ""
@@ -128,13 +128,15 @@ class PassList(Pane, can_focus=True):
         sets = "later" if row.still_up else f"{clock_text(row.los_s, seconds=False)} {row.los_az_deg:3.0f}°"
         return f"{rises:<11}{sets}"
 
-    def _row(self, cells: Cells, y: int, row: Row, t_s: float, here: bool, widths: tuple[int, int, int, bool]) -> None:
+    def _row(
+        self, cells: Cells, y: int, row: ShownPass, t_s: float, here: bool, widths: tuple[int, int, int, bool]
+    ) -> None:
         width, curve, why, timed = widths
         lit = here and self.has_focus
         text, dim = ("accent-row", "accent-row") if lit else ("text", "dim")
         if lit:
             cells.put(0, y, " " * cells.width, text)
-        reachable = row.reach is None or bool(row.reach.intervals)
+        reachable = bool(row.reach.intervals)
         cells.put(0, y, "▶" if here else " ", text if lit else "accent-strong")
         if row.favourite:
             cells.put(1, y, "★", text if lit else "target")

@@ -9,7 +9,7 @@ from birdcage_tui.drawing.polar import Polar, WayDot, draw_way
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.told import LINES, PassText
 from birdcage_tui.shown.pass_words import clock_text
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.sky_ground import QUIET, SkyBackdrop, has_stops, name_target, rim, sky_titles, title_for
@@ -51,7 +51,7 @@ class PassSky(Pane):
         row = self._selection.chosen(view)
         t_s = self._selection.time(view)
         canvas = self._ground.draw(polar, view)
-        if row is not None and row.path is not None:
+        if row is not None:
             self._path(canvas, polar, row, t_s)
         canvas.onto(cells, 0, 0)
         rim(cells, polar, view)
@@ -69,20 +69,19 @@ class PassSky(Pane):
             y += 1
 
     @staticmethod
-    def _path(canvas: Braille, polar: Polar, row: Row, t_s: float) -> None:
-        """Draw the way, as far as its path is known."""
-        assert row.path is not None
+    def _path(canvas: Braille, polar: Polar, row: ShownPass, t_s: float) -> None:
+        """Draw the way."""
         span, way = row.los_s - row.aos_s, []
         for step in range(STEPS + 1):
             at_s = row.aos_s + span * step / STEPS
             place = row.path.at(min(max(at_s, row.path.t_s[0]), row.path.t_s[-1]))
             if place is not None:
-                held = row.reach is not None and row.reach.holds(at_s)
+                held = row.reach.holds(at_s)
                 way.append(WayDot(polar.dot(place[0], max(place[1], 0.0)), held, at_s < t_s))
         draw_way(canvas, way)
 
     @staticmethod
-    def _ends(cells: Cells, polar: Polar, row: Row) -> None:
+    def _ends(cells: Cells, polar: Polar, row: ShownPass) -> None:
         """Write when it rises and sets, at the rim, where that lies on nothing."""
         middle = polar.width // 2
         for az_deg, at_s, known in ((row.aos_az_deg, row.aos_s, not row.already_up),
@@ -99,12 +98,12 @@ class PassSky(Pane):
                     break
 
     @staticmethod
-    def _marks(cells: Cells, polar: Polar, view: View, row: Row | None, t_s: float) -> None:
+    def _marks(cells: Cells, polar: Polar, view: View, row: ShownPass | None, t_s: float) -> None:
         position = view.state.position
         if position is not None:
             ink = "dim" if view.stale else "accent-strong"
             cells.put(*polar.cell(position.az_deg, position.el_deg), view.pointer, ink)
-        if row is None or row.path is None:
+        if row is None:
             return
         place = row.path.at(t_s)
         if place is not None:

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 from birdcage_tui.passes.choose import PassFilter
 from birdcage_tui.passes.machine import TimeMachine
-from birdcage_tui.shown.sky_picture import Row, SkyPicture
+from birdcage_tui.shown.sky_picture import ShownPass, SkyPicture
 from birdcage_tui.shown.view import View
 
 BACK_S = 3600.0
@@ -29,7 +29,7 @@ class PassSelection:
         """None: the first of the list, whatever that is."""
         self.world = False
         """Whether the map of the world stands in place of list, path and timeline."""
-        self._kept: tuple[View, list[Row], int] | None = None
+        self._kept: tuple[View, list[ShownPass], int] | None = None
 
     def changed(self) -> None:
         """Work out anew what is listed: another choice was made."""
@@ -53,13 +53,13 @@ class PassSelection:
         sky, wanted = self.sky(view), self.choice.hearable_only
         return bool(sky.feed) and (sky.hear_first if wanted is None else wanted)
 
-    def _listed(self, view: View) -> tuple[list[Row], int]:
+    def _listed(self, view: View) -> tuple[list[ShownPass], int]:
         if self._kept is None or self._kept[0] is not view:
             rows = self.choice.of(self.sky(view).rows, self.time(view), hearable=self.hearable(view))
             self._kept = (view, rows, self._index(rows))
         return self._kept[1], self._kept[2]
 
-    def rows(self, view: View) -> list[Row]:
+    def rows(self, view: View) -> list[ShownPass]:
         """Return the passes of the list."""
         return self._listed(view)[0]
 
@@ -67,12 +67,12 @@ class PassSelection:
         """Return which row is chosen; the first where the chosen pass is over or filtered out."""
         return self._listed(view)[1]
 
-    def chosen(self, view: View) -> Row | None:
+    def chosen(self, view: View) -> ShownPass | None:
         """Return the chosen pass; None when the list is empty."""
         rows, index = self._listed(view)
         return rows[index] if rows else None
 
-    def _index(self, rows: list[Row]) -> int:
+    def _index(self, rows: list[ShownPass]) -> int:
         if self.chosen_key is not None:
             number, name, minute = self.chosen_key
             for index, row in enumerate(rows):
@@ -80,7 +80,7 @@ class PassSelection:
                     return index
         return 0
 
-    def choose(self, row: Row | None) -> None:
+    def choose(self, row: ShownPass | None) -> None:
         """Choose a pass; None for whatever stands first."""
         self.chosen_key = None if row is None else row.key
         self.changed()

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -30,8 +30,8 @@ class PassStrip(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw limits, curve and the line of the moment shown."""
         row = self._selection.chosen(view)
-        if row is None or row.path is None:
-            cells.put(1, 0, "No pass selected." if row is None else "Computing its path …", "dim")
+        if row is None:
+            cells.put(1, 0, "No pass selected.", "dim")
             return
         width, height = cells.width - AXIS - 1, cells.height - 2
         if width < 12 or height < 2:
@@ -65,9 +65,8 @@ class PassStrip(Pane):
                 cells.put(x, int(y_of(place[1])) // 4, "✕", "target-strong")
 
     @staticmethod
-    def _drift(cells: Cells, row: Row, width: int, height: int) -> None:
+    def _drift(cells: Cells, row: ShownPass, width: int, height: int) -> None:
         """Draw the elevation of what is always up on a scale of its own: how far it drifts while the search lasts."""
-        assert row.path is not None, "the curve is of it"
         low, high = min(row.path.el_deg), max(row.path.el_deg)
         spare = max(LEAST_DRIFT_DEG - (high - low), (high - low) * 0.1) / 2.0
         canvas, columns = Braille(width, height), width * 2
@@ -75,7 +74,7 @@ class PassStrip(Pane):
             at_s = row.aos_s + (column + 0.5) / columns * (row.los_s - row.aos_s)
             place = row.path.at(at_s)
             if place is not None:
-                loud = row.reach is not None and row.reach.holds(at_s)
+                loud = row.reach.holds(at_s)
                 y = (height * 4 - 1) * (1.0 - (place[1] - low + spare) / (high - low + 2.0 * spare))
                 canvas.dot(column, y, "target" if loud else "dim")
         canvas.onto(cells, AXIS + DECIMALS, 0)
@@ -88,7 +87,7 @@ class PassStrip(Pane):
         cells.right(AXIS + DECIMALS + width, height + 1, after, "dim")
 
     @staticmethod
-    def _top(row: Row, high: float | None) -> float:
+    def _top(row: ShownPass, high: float | None) -> float:
         """Return the upper end of the scale: the pass fits, and the ceiling too where it is near."""
         need = row.max_el_deg + 4.0
         if high is not None and high > row.max_el_deg > high - 12.0:
@@ -96,15 +95,14 @@ class PassStrip(Pane):
         return min(max(need, 24.0), 90.0)
 
     @staticmethod
-    def _curve(canvas: Braille, row: Row, t_s: float, y_of: Callable[[float], float]) -> None:
-        assert row.path is not None
+    def _curve(canvas: Braille, row: ShownPass, t_s: float, y_of: Callable[[float], float]) -> None:
         columns = canvas.width * 2
         for column in range(columns):
             at_s = row.aos_s + (column + 0.5) / columns * (row.los_s - row.aos_s)
             place = row.path.at(at_s)
             if place is None or (at_s < t_s and column % 3):
                 continue  # past is dotted
-            loud = row.reach is not None and row.reach.holds(at_s)
+            loud = row.reach.holds(at_s)
             after = row.path.at(min(at_s + (row.los_s - row.aos_s) / columns, row.los_s))
             y0, y1 = y_of(place[1]), y_of((after or place)[1])
             canvas.line(column, y0, column, y1 if at_s >= t_s else y0, "target" if loud else "dim")
@@ -119,19 +117,19 @@ class PassStrip(Pane):
                 cells.right(AXIS, y, f"{el_deg:.0f}°", "dim")
 
     @staticmethod
-    def _bar(cells: Cells, row: Row, width: int, y: int) -> None:
+    def _bar(cells: Cells, row: ShownPass, width: int, y: int) -> None:
         """Draw in which cells the dish can follow; a cell counts by its middle."""
         for column in range(width):
             at_s = row.aos_s + (column + 0.5) / width * (row.los_s - row.aos_s)
-            held = row.reach is not None and row.reach.holds(at_s)
+            held = row.reach.holds(at_s)
             cells.put(AXIS + column, y, "━" if held else "╌", "target" if held else "line")
 
     @staticmethod
-    def _times(cells: Cells, row: Row, width: int, y: int) -> None:
+    def _times(cells: Cells, row: ShownPass, width: int, y: int) -> None:
         """Write AOS and LOS at the ends, then the edges of reach where they fit."""
         cells.put(AXIS, y, clock_text(row.aos_s), "dim")
         cells.right(AXIS + width, y, clock_text(row.los_s), "dim")
-        edges = () if row.reach is None else [edge for one in row.reach.intervals for edge in (one.start_s, one.end_s)]
+        edges = [edge for one in row.reach.intervals for edge in (one.start_s, one.end_s)]
         for at_s in edges:
             words = clock_text(at_s)
             x = AXIS + int((at_s - row.aos_s) / (row.los_s - row.aos_s) * width) - len(words) // 2

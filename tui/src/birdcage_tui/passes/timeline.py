@@ -11,7 +11,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import fit
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.shown.pass_words import clock_text
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -78,7 +78,7 @@ class Timeline(Pane):
             start += 0.5 * span
         return start
 
-    def _lanes(self, view: View, room: int) -> list[tuple[str, list[Row], bool]]:
+    def _lanes(self, view: View, room: int) -> list[tuple[str, list[ShownPass], bool]]:
         """Return the rows: favourites; where there are none, satellites whose passes come next in reach."""
         sky, chosen = self._selection.sky(view), self._selection.chosen(view)
         any_favourite = any(row.favourite for row in sky.rows)
@@ -86,7 +86,7 @@ class Timeline(Pane):
         title = title if any_favourite else "Timeline of next passes   * marks a favourite"
         if title != self.border_title:
             self.border_title = title
-        lanes: dict[tuple[int, str], list[Row]] = {}
+        lanes: dict[tuple[int, str], list[ShownPass]] = {}
         end_s = self._start_s + 86400.0
         for row in sky.rows:
             key = (row.norad_id, row.name)
@@ -124,15 +124,15 @@ class Timeline(Pane):
                     cells.put(self._names + column, y, "╎", "faint")
             at_s += every
 
-    def _bar(self, cells: Cells, y: int, row: Row, width: int) -> None:
+    def _bar(self, cells: Cells, y: int, row: ShownPass, width: int) -> None:
         first, last = self._column(row.aos_s), max(self._column(row.los_s), self._column(row.aos_s))
         for column in range(max(first, 0), min(last + 1, width)):
             cells.put(self._names + column, y, "─", "dim")
-        for one in () if row.reach is None else row.reach.intervals:
+        for one in row.reach.intervals:
             for column in range(max(self._column(one.start_s), 0), min(self._column(one.end_s) + 1, width)):
                 cells.put(self._names + column, y, "━", "target-strong")
 
-    def _height(self, cells: Cells, y: int, row: Row, width: int) -> None:
+    def _height(self, cells: Cells, y: int, row: ShownPass, width: int) -> None:
         """Write how high it goes behind its bar, where that lies on nothing."""
         words, after = f"{row.max_el_deg:.0f}°", max(self._column(row.los_s), self._column(row.aos_s)) + 1
         if 0 < after <= width - len(words) and cells.free(self._names + after, y, len(words)):

@@ -21,7 +21,7 @@ from birdcage_tui.shown.pass_words import (
 if TYPE_CHECKING:
     from birdcage.base.beam import Beam
 
-    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.shown.sky_picture import ShownPass
 
 LINES = 5
 """Rows under the map."""
@@ -45,7 +45,7 @@ class TextBlock(NamedTuple):
 class PassText:
     """One pass at one moment. `everything`: range, Doppler, clock, Sun and signal too, as no other pane shows them."""
 
-    row: Row
+    row: ShownPass
     t_s: float
     moment: str
     """`now` or `then`."""
@@ -77,14 +77,14 @@ class PassText:
     def _beside(self, width: int) -> list[TextBlock]:
         """Return the blocks beside the map: when and where it rises and sets, what is in reach, then the rest."""
         row = self.row
-        place = None if row.path is None else row.path.at(self.t_s)
+        place = row.path.at(self.t_s)
         where = "" if place is None else f"{self.moment} AZ {place[0]:.1f}°  EL {place[1]:.1f}°"
         blocks = [
             TextBlock([[*self._who(width), ("text", where)]]),
             TextBlock([self._events(width)]),
             TextBlock([[("text", _held(row))]]),
         ]
-        if row.reach is not None and not (row.stays and not row.reach.lost):
+        if row.reach.lost or not row.stays:
             spans = [
                 ("text", f"  {clock_text(one.start_s)} to {clock_text(one.end_s)}") for one in row.reach.intervals[:3]
             ]
@@ -134,7 +134,7 @@ class PassText:
 
     def _has_range(self) -> bool:
         """Return whether range and Doppler are known, and are told here."""
-        return self.everything and self.row.path is not None and bool(self.row.path.range_km)
+        return self.everything and bool(self.row.path.range_km)
 
     def _rest(self, width: int) -> list[Lines]:
         """Return range and Doppler where they do not stand above, then clock and Sun."""
@@ -158,10 +158,8 @@ class PassText:
         return blocks
 
     def _elements(self) -> list[Lines]:
-        """Return what the elements are worth: in full, else their age alone; nothing where that is not known."""
+        """Return what the elements are worth: in full, else their age alone."""
         age = self.row.age
-        if age is None:
-            return []
         brief = age.words.partition(", ")[0]
         return [
             [(age.ink, f"{age.glyph} elements {words}")]
@@ -169,10 +167,8 @@ class PassText:
         ]
 
 
-def _held(row: Row) -> str:
+def _held(row: ShownPass) -> str:
     """Return how much of it is in reach, or why nothing."""
-    if row.reach is None:
-        return "computing the reach …"
     if not row.reach.intervals:
         return f"{'always out of' if row.stays else 'never in'} reach: {reach_sign(row.reach)[2]}"
     if row.stays and not row.reach.lost:
@@ -180,10 +176,8 @@ def _held(row: Row) -> str:
     return f"{'in parts' if row.stays else reach_text(row)} in reach, best {row.reach.best_el_deg or 0.0:.0f}°"
 
 
-def _losses(row: Row, *, edges: bool) -> Lines:
+def _losses(row: ShownPass, *, edges: bool) -> Lines:
     """Return each part in which the dish cannot follow; those at the ends, or the others."""
-    if row.reach is None:
-        return []
     return [
         ("dim", f"{lost.cause.words} {clock_text(lost.start.timestamp())}, {length_text(lost.duration_s)}")
         for lost in row.reach.lost if lost.duration_s >= 1.0 and (lost.reason in EDGES) == edges

@@ -13,7 +13,7 @@ from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.passes.world_map import WorldMapPane
 from birdcage_tui.shown.pass_words import clock_text
 from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 from birdcage_tui.shown.view import View
 
 MOST = 60
@@ -23,7 +23,7 @@ MOST = 60
 def ask_of(selection: PassSelection, view: View) -> Ask:
     """Return what the page shows now."""
     chosen = selection.chosen(view)
-    found: dict[tuple[int, str], Row] = {}
+    found: dict[tuple[int, str], ShownPass] = {}
     pursuit = pursuit_of(view.state)
     if pursuit is not None and view.sky is not None:  # also where the filter of the list leaves it out
         aim = pursuit.plan.aim
@@ -37,7 +37,7 @@ def ask_of(selection: PassSelection, view: View) -> Ask:
     return Ask(int(selection.time(view)), chosen, tuple(found.values())[:MOST])
 
 
-def seen_text(row: Row, t_s: float) -> str:
+def seen_text(row: ShownPass, t_s: float) -> str:
     """Return `in view here to 15:40`, `in view here 15:52 to 16:02`; empty for a pass that is over."""
     if row.stays:
         return "always in view here"
@@ -48,9 +48,9 @@ def seen_text(row: Row, t_s: float) -> str:
     return f"in view here{since}{until}"
 
 
-def reach_span_text(row: Row, t_s: float) -> str:
-    """Return when the dish can follow a pass: `in reach 15:33-15:37`; empty when that is over or not known."""
-    if row.stays or row.reach is None or t_s > row.los_s:
+def reach_span_text(row: ShownPass, t_s: float) -> str:
+    """Return when the dish can follow a pass: `in reach 15:33-15:37`; empty when the pass is over."""
+    if row.stays or t_s > row.los_s:
         return ""
     if not row.reach.intervals:
         return "never in reach"

@@ -22,7 +22,7 @@ from birdcage_tui.track.offer import OfferLine
 from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
-    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.shown.sky_picture import ShownPass
 
 OFFER_ROWS = 3
 LEAST_ROWS = 3
@@ -38,7 +38,7 @@ class NextList(Pane, can_focus=True):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self._rows: list[Row] = []
+        self._rows: list[ShownPass] = []
         self._key: tuple[int, str, int] | None = None
         """The selected pass, wherever it stands in the list; None: the first."""
         self._top = self._head = 0
@@ -81,7 +81,7 @@ class NextList(Pane, can_focus=True):
         return next((index for index, row in enumerate(self._rows) if row.key == self._key), 0)
 
     @property
-    def chosen(self) -> Row | None:
+    def chosen(self) -> ShownPass | None:
         """The selected pass; None in an empty list."""
         return self._rows[self.at] if self._rows else None
 

@@ -10,12 +10,12 @@ from birdcage.sky.reach_model import LossReason
 if TYPE_CHECKING:  # the dashboard needs these words for its first frame, and no passes yet
     from birdcage.sky.reach_model import PassReach
 
-    from birdcage_tui.shown.sky_picture import Row
+    from birdcage_tui.shown.sky_picture import ShownPass
 
 EDGES = frozenset({LossReason.FLOOR, LossReason.HORIZON})
 """What lies between the geometric horizon and reach at both ends of a pass."""
 EVENT_WORDS = {"AOS": "rises", "reach": "in reach", "out": "out of reach", "LOS": "sets"}
-"""What the words of `Row.events` count to, spelt out."""
+"""What the words of `ShownPass.events` count to, spelt out."""
 
 
 def count_text(span_s: float) -> str:
@@ -45,13 +45,11 @@ def clock_text(t_s: float, *, seconds: bool = True) -> str:
     return f"{datetime.fromtimestamp(t_s, UTC):{'%H:%M:%S' if seconds else '%H:%M'}}"
 
 
-def reach_sign(reach: PassReach | None) -> tuple[str, str, str]:
+def reach_sign(reach: PassReach) -> tuple[str, str, str]:
     """Return glyph, ink and words of whether a pass can be followed: in one go, with losses, or not; and why not.
 
     Every pass begins and ends below the floor or behind the horizon: that is no loss worth a word.
     """
-    if reach is None:
-        return "·", "dim", ""
     if not reach.intervals:
         return "○", "dim", ", ".join(reach.words(costliest_first=True))
     losses = reach.words(but=EDGES, costliest_first=True)
@@ -67,13 +65,11 @@ def reasons_text(reasons: str, width: int) -> str:
     return next((words for words in (reasons, shorter) if len(words) <= width), "")
 
 
-def reach_text(row: Row) -> str:
-    """Return how long a pass is in reach in six columns; a dash while that is not known, and for nothing a nought.
+def reach_text(row: ShownPass) -> str:
+    """Return how long a pass is in reach in six columns.
 
     What is always up has no duration, and one that lasts beyond the search is told as more than that.
     """
-    if row.reach is None:
-        return "--"
     if not row.reach.intervals:
         return "none"
     if row.stays:
@@ -82,7 +78,7 @@ def reach_text(row: Row) -> str:
     return f">{row.reach.total_s / 3600.0:.0f}h" if cut and row.reach.total_s >= 3600.0 else length_text(row.reach_s)
 
 
-def standing_text(row: Row) -> str:
+def standing_text(row: ShownPass) -> str:
     """Return what to say of a row for which nothing was found to come next."""
     return "always up" if row.stays else "stays up"
 

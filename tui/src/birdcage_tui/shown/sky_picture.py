@@ -8,16 +8,19 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.sky.horizon import HorizonMask
-from birdcage.sky.reach_model import PassReach
 
 if TYPE_CHECKING:
     from birdcage.sky.pass_row import PassRow
+    from birdcage.sky.reach_model import PassReach
 
+DEMO = "DEMO "
+"""What the names of a demo's satellites begin with."""
 GRADE_INKS = {"fresh": "good", "usable": "text", "doubtful": "warn", "useless": "fault"}
 
 
@@ -70,20 +73,6 @@ class Path:
         return max(rates, default=None)
 
 
-class ShownPath:
-    """The path of a pass, worked out when it is first asked for: only the passes that are seen need one."""
-
-    def __init__(self, make: Callable[[], Path]) -> None:
-        self._make = make
-        self._path: Path | None = None
-
-    def path(self) -> Path:
-        """Return the path: some tenths of a millisecond the first time."""
-        if self._path is None:
-            self._path = self._make()
-        return self._path
-
-
 @dataclass(frozen=True, slots=True)
 class Age:
     """How much the elements may be trusted for a pass."""
@@ -109,41 +98,97 @@ class DopplerFrequency:
     """What is sent there, SatDump's name for it, and how sure that is; empty if nothing is known to be sent."""
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One pass, and what this dish can have of it."""
+@dataclass(frozen=True, eq=False)
+class ShownPass:
+    """A pass as the pages show it: what the driver found of it, and what the app adds.
 
-    name: str
-    norad_id: int
-    aos_s: float
-    tca_s: float
-    los_s: float
-    aos_az_deg: float
-    tca_az_deg: float
-    los_az_deg: float
-    max_el_deg: float
-    reach: PassReach | None = None
-    """None while it is not worked out."""
-    way: ShownPath | None = None
-    favourite: bool = False
-    groups: tuple[str, ...] = ()
-    age: Age | None = None
-    already_up: bool = False
-    """It was up when the search began: `aos_s` is that moment."""
-    still_up: bool = False
-    """It was up when the search ended."""
-    hears: str | None = None
+    Each is itself alone: after a search the same objects stand for what is the same. Lists of thousands are sorted and
+    painted, so that what is worked out is kept.
+    """
+
+    found: PassRow
+    favourite: bool
+    """As it is marked here: the driver may not know yet."""
+    groups: tuple[str, ...]
+    hears: str | None
     """What the feed in use hears of it, in words; empty: nothing that is known; None: unknown."""
-    sunlit_share: float | None = None
-    """How much of the pass the Sun shines on it, 0 to 1."""
-    sun: tuple[float, float] | None = None
-    """When it is nearest to the Sun, and how near in degrees; None while the Sun is down."""
-    tuned: Callable[[], DopplerFrequency | None] | None = field(default=None, compare=False, repr=False)
-    """Finds the frequency to tell Doppler for."""
-    also: tuple[str, ...] = field(default=(), compare=False, repr=False)
+    age: Age
+    tuned: Callable[[], DopplerFrequency | None] = field(repr=False)
+    """Finds the frequency to tell Doppler for; None if there is none."""
+    also: tuple[str, ...] = field(repr=False)
     """What else the satellite is called."""
-    origin: PassRow | None = field(default=None, compare=False, repr=False)
-    """What it was made of: for files."""
+    trace: Callable[[], Path] = field(repr=False)
+    """Works out `path`."""
+
+    @cached_property
+    def name(self) -> str:
+        """The satellite's name without the mark of a demo, which stands in row 1."""
+        return self.found.passing.name.removeprefix(DEMO)
+
+    @property
+    def norad_id(self) -> int:
+        """Its catalogue number, 0 if it has none."""
+        return self.found.passing.norad_id
+
+    @cached_property
+    def aos_s(self) -> float:
+        """When it rises; where `already_up`, when the search began."""
+        return self.found.passing.aos.timestamp()
+
+    @cached_property
+    def tca_s(self) -> float:
+        """When it is highest."""
+        return self.found.passing.tca.timestamp()
+
+    @cached_property
+    def los_s(self) -> float:
+        """When it sets; where `still_up`, when the search ended."""
+        return self.found.passing.los.timestamp()
+
+    @property
+    def aos_az_deg(self) -> float:
+        """Azimuth at AOS."""
+        return self.found.passing.aos_azimuth_deg
+
+    @property
+    def tca_az_deg(self) -> float:
+        """Azimuth at TCA."""
+        return self.found.passing.tca_azimuth_deg
+
+    @property
+    def los_az_deg(self) -> float:
+        """Azimuth at LOS."""
+        return self.found.passing.los_azimuth_deg
+
+    @property
+    def max_el_deg(self) -> float:
+        """Elevation at TCA."""
+        return self.found.passing.max_elevation_deg
+
+    @property
+    def already_up(self) -> bool:
+        """Whether it was up when the search began."""
+        return self.found.passing.already_up
+
+    @property
+    def still_up(self) -> bool:
+        """Whether it was up when the search ended."""
+        return self.found.passing.still_up
+
+    @property
+    def reach(self) -> PassReach:
+        """What of it this dish can follow."""
+        return self.found.reach
+
+    @cached_property
+    def reach_s(self) -> float:
+        """How long it is in reach."""
+        return self.reach.total_s
+
+    @cached_property
+    def path(self) -> Path:
+        """Where it goes: some tenths of a millisecond the first time, and only the passes that are seen need one."""
+        return self.trace()
 
     @property
     def key(self) -> tuple[int, str, int]:
@@ -155,16 +200,6 @@ class Row:
         """Whether it is up all the time, as far as the search went: that is no pass."""
         return self.already_up and self.still_up
 
-    @property
-    def path(self) -> Path | None:
-        """Where it goes; None if that is not known."""
-        return None if self.way is None else self.way.path()
-
-    @property
-    def reach_s(self) -> float:
-        """How long it is in reach; 0 as long as that is not known."""
-        return 0.0 if self.reach is None else self.reach.total_s
-
     def events(self) -> list[tuple[float, str]]:
         """Return when something begins or ends, in order: `AOS`, `reach` (begins), `out` (of reach), `LOS`.
 
@@ -173,7 +208,7 @@ class Row:
         found = [] if self.still_up else [(self.los_s, "LOS")]
         if not self.already_up:
             found.append((self.aos_s, "AOS"))
-        for one in () if self.reach is None else self.reach.intervals:
+        for one in self.reach.intervals:
             if one.start_s - self.aos_s > 1.0:
                 found.append((one.start_s, "reach"))
             if self.los_s - one.end_s > 1.0:
@@ -185,7 +220,7 @@ class Row:
 
         None once it is over, and for what was up when the search ended: nothing later was searched.
         """
-        for one in () if self.reach is None else self.reach.intervals:
+        for one in self.reach.intervals:
             if t_s < one.start_s:
                 return one.start_s, "reach"
             if t_s < one.end_s:
@@ -222,7 +257,7 @@ class SkyPicture:
     sun: tuple[float, float] | None = None
     """Azimuth and elevation; below the horizon too."""
     moon: tuple[float, float] | None = None
-    rows: tuple[Row, ...] = ()
+    rows: tuple[ShownPass, ...] = ()
     """Passes in order of AOS."""
     searched: float | None = None
     """The part of the search that is done, 0 to 1; None before it began."""
@@ -237,7 +272,7 @@ class SkyPicture:
     mask: HorizonMask | None = None
     """What hides the sky all around; None for a flat horizon."""
     feed: str = ""
-    """The feed that `Row.hears` is told for; empty while nothing is known of what it hears."""
+    """The feed that `ShownPass.hears` is told for; empty while nothing is known of what it hears."""
     hear_first: bool = False
     """Whether a list begins with what that feed hears: the user has said which one is mounted."""
     problem: str = ""

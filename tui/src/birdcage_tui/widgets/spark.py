@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.drawing.canvas import Braille, Cells
-from birdcage_tui.shown.sky_picture import Row
+from birdcage_tui.shown.sky_picture import ShownPass
 
 MOST = 500
 """Curves that are kept: more than any screen shows."""
@@ -13,9 +13,9 @@ class Sparks:
     """Draws curves, and keeps what it worked out: a pass does not change while it is listed."""
 
     def __init__(self) -> None:
-        self._kept: dict[tuple[int, int], tuple[Row, list[tuple[int, bool]]]] = {}
+        self._kept: dict[tuple[int, int], tuple[ShownPass, list[tuple[int, bool]]]] = {}
 
-    def draw(self, cells: Cells, x: int, y: int, width: int, row: Row, quiet: str, loud: str) -> None:
+    def draw(self, cells: Cells, x: int, y: int, width: int, row: ShownPass, quiet: str, loud: str) -> None:
         """Draw the elevation from AOS to LOS; `loud` is the ink where the dish can follow."""
         canvas, before = Braille(width, 1), None
         for column, (dot, held) in enumerate(self._dots(row, width * 2)):
@@ -24,7 +24,7 @@ class Sparks:
             before = dot
         canvas.onto(cells, x, y)
 
-    def _dots(self, row: Row, columns: int) -> list[tuple[int, bool]]:
+    def _dots(self, row: ShownPass, columns: int) -> list[tuple[int, bool]]:
         """Return the height of each column of dots, 3 for the lowest, and whether it is in reach there."""
         known = self._kept.get((id(row), columns))
         if known is not None and known[0] is row:
@@ -32,10 +32,10 @@ class Sparks:
         dots, path = [], row.path
         for column in range(columns):
             t_s = row.aos_s + (column + 0.5) / columns * (row.los_s - row.aos_s)
-            place = None if path is None else path.at(t_s)
+            place = path.at(t_s)
             if place is not None:
                 level = min(int(max(place[1], 0.0) / 90.0 * 4.0), 3)
-                dots.append((3 - level, row.reach is not None and row.reach.holds(t_s)))
+                dots.append((3 - level, row.reach.holds(t_s)))
         if len(self._kept) >= MOST:
             self._kept.clear()
         self._kept[id(row), columns] = (row, dots)
