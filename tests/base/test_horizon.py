@@ -3,9 +3,8 @@
 import pytest
 from birdcage.base.config import load
 from birdcage.base.errors import ConfigError
-from birdcage.base.horizon import keep_horizon
 from birdcage.base.paths import throw_away_paths
-from birdcage.base.places import Place, add_place, load_places
+from birdcage.base.places import Place, add_place, keep_horizon, load_places
 
 POINTS = ((10.12345, 4.0), (231.0, 12.3))
 TEXT = '# mine\n[place]\nname = "Field"\nlatitude_deg = 52.0\nlongitude_deg = 6.5\n'

@@ -7,8 +7,8 @@ from datetime import UTC, datetime, timedelta
 import pytest
 from birdcage.base.config import edit
 from birdcage.gps.fix import GpsFix
-from birdcage.setup.north import NotYet, az_offset_deg
 from birdcage.setup.step import NoSuchChoice
+from birdcage.setup.steps.north import NotYet, az_offset_deg
 from birdcage.sky.sun import sun
 
 

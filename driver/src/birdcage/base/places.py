@@ -6,14 +6,18 @@ The place that counts stands in `[place]` of `birdcage.toml`; `place_settings` i
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from birdcage.base.config.edit import Value
+from birdcage.base.config.edit import Value, edit
 from birdcage.base.config.sections import HorizonPoint, PlaceSettings
 from birdcage.base.geometry import separation
 from birdcage.base.named_tables import NamedTables, TablesRead, checked_name, number_of, same
+
+if TYPE_CHECKING:
+    from birdcage.base.paths import Paths
 
 HEADER = (
     "# Places with names. Latitude north +, longitude east +; the horizon as [azimuth, elevation] in true degrees.\n"
@@ -131,6 +135,21 @@ def is_in_use(place: Place, settings: PlaceSettings) -> bool:
     """Return whether `[place]` is this one: by name and by where it is."""
     here = (settings.latitude_deg, settings.longitude_deg)
     return same(place.name, settings.name or "") and here == (place.latitude_deg, place.longitude_deg)
+
+
+def keep_horizon(paths: Paths, here: PlaceSettings, points: Iterable[tuple[float, float]]) -> str:
+    """Write points (true azimuth and elevation, degrees) into `[place]`; none at all: a flat horizon.
+
+    `here` is `[place]` as it counts. Return the name of the saved place that has them too; empty when there is none.
+    ConfigError says why they are not kept, or not in both files.
+    """
+    kept = tuple(HorizonPoint(round(az_deg, 3), round(el_deg, 3)) for az_deg, el_deg in points)
+    edit(paths.config_file, {"place.horizon": kept or None})
+    saved = next((each for each in load_places(paths.places_file).entries if is_in_use(each, here)), None)
+    if saved is None:
+        return ""
+    replace_place(paths.places_file, saved.name, replace(saved, horizon=kept))
+    return saved.name
 
 
 def _places(path: Path, found: TablesRead[Place]) -> PlacesRead:

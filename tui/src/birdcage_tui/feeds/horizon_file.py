@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 from birdcage.base.config import Settings
 from birdcage.base.errors import ConfigError
-from birdcage.base.horizon import keep_horizon
 from birdcage.base.paths import Paths
+from birdcage.base.places import keep_horizon
 from birdcage.sky.horizon import HorizonMask
 
 KEY = "place.horizon"

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 import click
 
-from birdcage.cli.commands.calibrate_add import add
-from birdcage.cli.commands.calibrate_guide import guide
-from birdcage.cli.commands.calibrate_next import next_
-from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.options import find_paths, flags, global_options, load_settings, wanted
+from birdcage.base.reason import Reason
+from birdcage.cli.exits import DATA_EPILOG, EPILOG
+from birdcage.cli.options import NO_DISH, Wanted, find_paths, flags, global_options, load_settings, wanted
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, at_option, no_options_among
 
 if TYPE_CHECKING:
+    from datetime import datetime
     from pathlib import Path
 
     from birdcage.base.alignments import AlignmentSet
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.peaks_file import Peaks
-    from birdcage.cli.options import Wanted
+    from birdcage.station.state import Pointing
+
+SHOWN = 8
+"""How many objects `next` names."""
+HOLDER = "birdcage calibrate"
 
 
 @click.group("calibrate", epilog=DATA_EPILOG)
@@ -146,6 +151,142 @@ def remove(numbers: tuple[int, ...], every: bool, name: str | None) -> None:
     say(f"{count - left} forgotten, {left} left.")
 
 
+@command.command("next", short_help="Suggest what to peak on next.", epilog=DATA_EPILOG)
+@at_option("When.")
+@click.option("--all", "every", is_flag=True, help=f"All that is up and in reach, not the best {SHOWN} alone.")
+@global_options("firmware", "json", "config", "verbose", firmware=NO_DISH)
+def next_(at: datetime | None, every: bool) -> None:
+    """Name what to peak on next: what makes the pointing known best over the whole sky.
+
+    Sun, Moon and geostationary places that are up, in reach and not known to be beyond the feed's hearing. RISE is the
+    signal to expect. FOUND TO is how well a person finds its middle. SKY THEN is the error to expect over the whole
+    sky afterwards. Elevations include refraction, as `tracking.refraction` sets it. No dish is needed.
+    """
+    from datetime import UTC, datetime
+
+    from birdcage.calibration.next_best import enough
+    from birdcage.calibration.peaks_file import load_peaks, peaks_file
+    from birdcage.calibration.work import fit_for, proposals_for
+    from birdcage.cli.calibrate_words import ENOUGH, proposal_values, tell_proposals
+    from birdcage.cli.say import say, tell_json
+    from birdcage.cli.standing import limits_of
+
+    dish = wanted()
+    peaks = load_peaks(peaks_file(dish.paths))
+    for problem in peaks.problems:
+        say(problem)
+    fitted = fit_for(dish.settings, peaks.entries)
+    found = proposals_for(dish.settings, peaks.entries, at or datetime.now(UTC), limits_of(dish), fitted, dish.beam)
+    shown = found if every else found[:SHOWN]
+    refraction = dish.settings.tracking.refraction
+    if flags().json:
+        tell_json([proposal_values(each, refraction) for each in shown])
+        return
+    if not found:
+        say("This feed can hear nothing in reach now that has no peak yet.")
+        return
+    tell_proposals(shown)
+    say(f"Elevations include refraction ({refraction})." if refraction != "none" else "No refraction is included.")
+    say(ENOUGH if enough(found) else f"Best: {found[0].candidate.name} {found[0].words()}.")
+
+
+@command.command("add", short_help="Take a peak.", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
+@click.argument("target", nargs=-1, required=True)
+@click.option("--dish-az", "dish_az_deg", type=click.FloatRange(-720.0, 720.0), metavar="DEG",
+              help="What the dish read, in its own degrees.  [default: the dish is asked]")  # fmt: skip
+@click.option("--dish-el", "dish_el_deg", type=click.FloatRange(-90.0, 180.0), metavar="DEG", help="The same.")
+@at_option("When that was.")
+@click.option("--sigma", "sigma_deg", type=click.FloatRange(0.001, 45.0), metavar="DEG",
+              help="How well it was peaked.  [default: by the signal to expect]")  # fmt: skip
+@global_options()
+def add(
+    target: tuple[str, ...], dish_az_deg: float | None, dish_el_deg: float | None, at: datetime | None,
+    sigma_deg: float | None,
+) -> None:  # fmt: skip
+    """Take a peak: the dish is on TARGET now, or was with these readings.
+
+    TARGET is named as for `birdcage where`. The dish does not move.
+    """
+    from birdcage.calibration.guide import peak_at
+    from birdcage.calibration.peaks_file import add_peak, peaks_file
+    from birdcage.cli.calibrate_words import peak_values
+    from birdcage.cli.named_target import find_target
+    from birdcage.cli.say import say, tell_json
+
+    no_options_among(target)
+    if (dish_az_deg is None) != (dish_el_deg is None):
+        raise click.UsageError("--dish-az and --dish-el go together.")
+    if at is not None and dish_az_deg is None:
+        raise click.UsageError("--at goes with --dish-az and --dish-el: the dish tells where it is now.")
+    dish = wanted()
+    meant = find_target(target, dish.paths, None, say).target
+    if dish_az_deg is not None and dish_el_deg is not None:
+        position = _typed(dish_az_deg, dish_el_deg, at)
+    else:
+        position = _asked(dish)
+    peak = add_peak(peaks_file(dish.paths), peak_at(dish.settings, meant, position, sigma_deg, dish.beam))
+    if flags().json:
+        tell_json(peak_values(peak))
+    else:
+        say(
+            f"Peak {peak.number}: {peak.target} at {peak.true_az_deg:.2f}° / {peak.true_el_deg:.2f}°, the dish at "
+            f"{peak.dish_az_deg:.2f}° / {peak.dish_el_deg:.2f}°, good to {peak.sigma_deg:.2f}°."
+        )
+    if peak.true_el_deg <= 0.0:
+        say(f"{peak.target} stands below the horizon at that time: `birdcage calibrate remove {peak.number}`.")
+
+
+@command.command("guide", short_help="Guide you through all of it, at the dish.", epilog=EPILOG)
+@global_options()
+def guide() -> None:
+    """Be led: it names the next object and goes there; you nudge until the meter is highest, and say so.
+
+    Every peak is saved at once. Ctrl+C stops the dish.
+    """
+    from birdcage.calibration.guide import Guide
+    from birdcage.calibration.work import observer_of
+    from birdcage.cli.calibrate_talk import CalibrateTalk
+    from birdcage.cli.dish import open_dish
+    from birdcage.cli.talk import TypedLines
+
+    if not sys.stdin.isatty():
+        raise click.UsageError("The guide needs a terminal to ask its questions.")
+    dish_wanted = wanted()
+    observer_of(dish_wanted.settings)  # without a place there is nothing to begin with
+    given = flags()
+    over = {f"dish.{name}": given.get(name) for name in ("port", "firmware", "baud")}
+    with open_dish(dish_wanted, moves=True) as dish:
+        dish.come_up(15.0)
+        dish.survey()
+        leading = Guide(dish.session, dish_wanted.settings, dish_wanted.paths, flags=over, holder=HOLDER)
+        try:
+            CalibrateTalk(leading, dish, TypedLines(sys.stdin), dish_wanted.paths).run()
+        finally:
+            leading.close()
+
+
+def _typed(az_deg: float, el_deg: float, at: datetime | None) -> Pointing:
+    from datetime import UTC, datetime
+
+    from birdcage.station.state import Pointing
+
+    return Pointing(az_deg, el_deg, az_deg, el_deg, 0.0, at or datetime.now(UTC))
+
+
+def _asked(wanted: Wanted) -> Pointing:
+    from birdcage.base.errors import PositionUnknown
+    from birdcage.cli.dish import how_to_home, open_dish
+
+    with open_dish(wanted, survey=False) as dish:
+        state = dish.come_up(15.0)
+    if state.position is None or state.position_lost is not None:
+        raise PositionUnknown(
+            f"The dish does not know where it points, so the peak is not taken. {how_to_home(state)}",
+            reason=Reason.UNHOMED,
+        )
+    return state.position
+
+
 def _read_peaks(dish: Wanted) -> Peaks:
     from birdcage.calibration.peaks_file import load_peaks, peaks_file
     from birdcage.cli.say import say
@@ -168,7 +309,3 @@ def _named(file: Path, name: str) -> AlignmentSet:
             f"There is no set called {name!r}: " + (f"there are {known}." if known else "none was kept yet.")
         )
     return entry
-
-
-for each in (next_, add, guide):
-    command.add_command(each)

@@ -97,7 +97,7 @@ def clear() -> None:
 
 def _keep(mask: HorizonMask) -> None:
     """Write it into `[place]`, and to the saved place where that is the one in use."""
-    from birdcage.base.horizon import keep_horizon
+    from birdcage.base.places import keep_horizon
     from birdcage.cli.say import say
     from birdcage.sky.horizon import horizon_words
 

@@ -3,13 +3,97 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from datetime import UTC, datetime
 
+from birdcage.base.config import PlaceSettings
 from birdcage.base.config.edit import Value
-from birdcage.setup import north
+from birdcage.base.errors import BirdcageError
+from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
+from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice, Field, NoSuchChoice
 from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.typed import number, optional_number, yes
+from birdcage.sky.magnetic import declination_deg
+from birdcage.sky.sun import sun
 from birdcage.station.requests import Goto, Jog
+from birdcage.station.state import Activity, Pointing
+
+LONGEST_CLOCK_S = 10.0
+"""A clock further off than this moves the Sun by more than 0.04 degrees."""
+FAR_DEG = 10.0
+"""Dish and Sun further apart in elevation than this: the shadow is not in mid-dish."""
+EARLIEST = datetime(2025, 1, 1, tzinfo=UTC)
+"""A machine without a battery wakes up long before this."""
+
+
+class NotYet(BirdcageError):
+    """North can't be set this way now; the message says what is missing."""
+
+    reason = Reason.NOT_YET
+
+
+def az_offset_deg(true_az_deg: float, dish_az_deg: float) -> float:
+    """Return what is added to the dish's azimuth to get the true one, in -180 to 180."""
+    return round(shortest_turn(dish_az_deg, true_az_deg), 2) + 0.0
+
+
+def _sun_now(bench: SetupContext) -> tuple[float, float]:
+    """Return the Sun's true azimuth and elevation now. NotYet while the place is unknown."""
+    place = bench.settings.place
+    if place.latitude_deg is None or place.longitude_deg is None:
+        raise NotYet("No location set. Set it in step 9.")
+    return sun(bench.utc, place.latitude_deg, place.longitude_deg)
+
+
+def _usable_sun(bench: SetupContext) -> tuple[float, float]:
+    """Return the Sun as a mark to measure by. NotYet: place or clock unknown, or the Sun below the dish's floor."""
+    az_deg, el_deg = _sun_now(bench)
+    offset_s = bench.settings.setup.clock_offset_s
+    if bench.utc < EARLIEST:
+        raise NotYet(f"This machine's clock says {bench.utc:%Y-%m-%d}: set it, then compare it in step 9.")
+    if offset_s is None:
+        raise NotYet("The clock is unchecked. Compare it, or trust it, in step 9.")
+    if abs(offset_s) > LONGEST_CLOCK_S:
+        raise NotYet(f"This machine's clock was {offset_s:+g} s off: set it, then compare again in step 9.")
+    floor = bench.state.el_min_deg
+    if el_deg < (0.0 if floor is None else floor):
+        where = "below the horizon" if el_deg < 0 else f"at {el_deg:.1f}°, below the dish's floor"
+        raise NotYet(f"The Sun is {where}: wait, or use another way.")
+    ceiling = bench.state.el_max_deg
+    if ceiling is not None and el_deg > ceiling:
+        raise NotYet(f"The Sun is at {el_deg:.1f}°, above the dish's ceiling: wait, or use another way.")
+    return az_deg, el_deg
+
+
+def _resting_position(bench: SetupContext) -> Pointing:
+    """Return where the dish stands. NotYet: not known, not read just now, or it moves."""
+    position = bench.position
+    if position is None:
+        lost = bench.state.position_lost
+        raise NotYet(f"The dish's direction is unknown{f' ({lost})' if lost else ''}: home it, step 4.")
+    if bench.state.motion is not None or bench.state.activity is not Activity.IDLE:
+        raise NotYet("The dish is moving. Wait until it rests.")
+    return position
+
+
+def _declination(bench: SetupContext) -> float | None:
+    """Return the magnetic declination of the place, as typed or by the model; None when it is not known."""
+    place: PlaceSettings = bench.settings.place
+    if place.declination_deg is not None:
+        return place.declination_deg
+    if place.latitude_deg is None or place.longitude_deg is None:
+        return None
+    return declination_deg(bench.utc, place.latitude_deg, place.longitude_deg, place.height_m)
+
+
+def _ready_for_sun(step: Step) -> str:
+    """Say why the Sun can't be used now; empty when it can."""
+    try:
+        _usable_sun(step.bench)
+    except NotYet as missing:
+        return str(missing)
+    return ""
 
 
 class NorthStep(Step):
@@ -34,16 +118,16 @@ class NorthStep(Step):
         words = [dish.handling.north] if dish is not None and dish.handling.north else []
         up = False
         try:
-            az_deg, el_deg = north.sun_now(self.bench)
+            az_deg, el_deg = _sun_now(self.bench)
             up = el_deg > 0.0
             words.append(f"Sun now at {az_deg:.2f}° true, elevation {el_deg:.2f}°.")
-            turn = north.declination(self.bench)
+            turn = _declination(self.bench)
             if turn is not None and up:
                 east = f"{abs(turn):.1f}° {'E' if turn >= 0 else 'W'}"
                 words.append(f"A compass needle would read {(az_deg - turn) % 360.0:.1f}° there (declination {east}).")
-        except north.NotYet as missing:
+        except NotYet as missing:
             words.append(str(missing))
-        reason = north.ready_for_sun(self)
+        reason = _ready_for_sun(self)
         if not reason:
             words.append("Move the dish until the feed's shadow lies in mid-dish, then mark. Keep away from the focus.")
             position = self.bench.position
@@ -64,7 +148,7 @@ class NorthStep(Step):
         )
         ways: list[Choice] = [*self.release_choice()]
         standing = self.bench.position is not None
-        if standing and not north.ready_for_sun(self):
+        if standing and not _ready_for_sun(self):
             ways += [
                 Choice("mark", "enter", "The dish looks at the Sun now: mark",
                        fields=(Field("el", "keep the el offset too", "", "y or n", "n"),)),
@@ -72,7 +156,7 @@ class NorthStep(Step):
             ]  # fmt: skip
         marks = any(way.name == "mark" for way in ways)
         if standing:
-            turn = north.declination(self.bench)
+            turn = _declination(self.bench)
             step = (Field("d_az_deg", "az", "deg", "clockwise is +", "0"), Field("d_el_deg", "el", "deg", "", "0"))
             ways += [
                 Choice("jog", "j", "Move it a little", moves=True, fields=step),
@@ -88,7 +172,7 @@ class NorthStep(Step):
         if choice == "release":
             self.begin(self.release(), "releasing")
         elif choice == "sun":
-            self.begin(self._move(Goto(*north.usable_sun(self.bench), self.bench.holder)), "turning to the Sun")
+            self.begin(self._move(Goto(*_usable_sun(self.bench), self.bench.holder)), "turning to the Sun")
         elif choice == "jog":
             d_az = optional_number(values, "d_az_deg", "az", -180.0, 180.0) or 0.0
             d_el = optional_number(values, "d_el_deg", "el", -90.0, 90.0) or 0.0
@@ -106,28 +190,28 @@ class NorthStep(Step):
         yield self.bench.ask(request)
 
     def _mark(self, *, keep_el: bool) -> None:
-        az_deg, el_deg = north.usable_sun(self.bench)
-        seen = north.resting_position(self.bench)
+        az_deg, el_deg = _usable_sun(self.bench)
+        seen = _resting_position(self.bench)
         el_off = el_deg - seen.dish_el_deg
-        if abs(el_off) > north.FAR_DEG:
-            raise north.NotYet(
+        if abs(el_off) > FAR_DEG:
+            raise NotYet(
                 f"The dish stands at elevation {seen.dish_el_deg:.1f}° and the Sun at {el_deg:.1f}°: it does not "
                 "point at the Sun. Is the feed's shadow in mid-dish?"
             )
         how = f"by the Sun at {az_deg:.2f}/{el_deg:.2f}; el off by {el_off:+.2f} deg, {'' if keep_el else 'not '}kept"
-        self._set(north.az_offset_deg(az_deg, seen.dish_az_deg), round(el_off, 2) if keep_el else None, how)
+        self._set(az_offset_deg(az_deg, seen.dish_az_deg), round(el_off, 2) if keep_el else None, how)
 
     def _compass(self, values: Mapping[str, str]) -> None:
         reading = number(values, "reading_deg", "compass along the dish", 0.0, 360.0)
         turn = optional_number(values, "declination_deg", "declination", -180.0, 180.0)
-        known = north.declination(self.bench)
+        known = _declination(self.bench)
         turn = known if turn is None else turn
         if turn is None:
             raise NoSuchChoice("Declination unknown here. Type it (east is +), from a map.")
-        seen = north.resting_position(self.bench)
+        seen = _resting_position(self.bench)
         typed = known is None or abs(turn - known) > 0.05
         changes: dict[str, Value] = {"place.declination_deg": turn} if typed else {}
-        offset = north.az_offset_deg(reading + turn, seen.dish_az_deg)
+        offset = az_offset_deg(reading + turn, seen.dish_az_deg)
         self._set(offset, None, f"by compass {reading:.1f} with declination {turn:+.1f} deg", changes)
 
     def _set(self, az: float, el: float | None, how: str, more: Mapping[str, Value] | None = None) -> None:
