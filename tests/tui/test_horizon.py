@@ -14,7 +14,7 @@ from birdcage.station.requests import Goto, Jog
 from birdcage.station.state import Activity
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.horizon import can_mark
-from birdcage_tui.control.horizon_ask import point_of
+from birdcage_tui.control.horizon_hands import point_of
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
 from birdcage_tui.widgets.pane import Pane
 from horizon_stand_in import TREES, File

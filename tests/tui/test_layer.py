@@ -1,9 +1,8 @@
 """A layer closes once, and only when it lies on top."""
 
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.widgets.dialogs import Dialog, QuestionScreen
+from birdcage_tui.widgets.dialogs import Dialog, Layer, QuestionScreen
 from birdcage_tui.widgets.help import HelpScreen
-from birdcage_tui.widgets.layer import Layer
 from birdcage_tui.widgets.palette import CommandProvider, Palette
 from stage import run
 from textual.command import CommandPalette

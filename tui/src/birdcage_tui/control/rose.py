@@ -6,19 +6,19 @@ from typing import cast
 
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.sky.sun import sun
+from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.turning import cable_limits
 from textual import events
 
 from birdcage_tui.control.compass import Compass
 from birdcage_tui.control.horizon_draw import draw_skyline
 from birdcage_tui.control.tape import ROWS, draw_tape
-from birdcage_tui.control.unknown import why_unknown
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cell_len
 from birdcage_tui.drawing.needle import draw_needle
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pursuit import aimed_at
-from birdcage_tui.shown.state_words import uncertainty_text
+from birdcage_tui.shown.state_words import home_hint, uncertainty_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.sky_ground import STOP_SIGN
@@ -28,6 +28,15 @@ STOP_WEDGE_DEG = 7.0
 UNDER_DEG = 3.0
 """A target nearer than this lies under the needle: its ray would only break it."""
 QUIET = ("faint", "line", "dim")
+_LOST = {
+    "released": "MOTORS RELEASED",
+    "unhomed": "NOT HOMED",
+    "unreadable": "UNREADABLE",
+    "stowing": "STOWING",
+    "raw": "AFTER A RAW LINE",
+    "raw command": "AFTER A RAW LINE",
+}
+"""Why there is no needle, by why the position was lost."""
 
 
 class RosePane(Pane, can_focus=True):
@@ -175,7 +184,7 @@ class RosePane(Pane, can_focus=True):
         if view.horizon.recording:
             cells.right(compass.width, compass.height - 1, "● recording", "warn-strong")
         if position is None:
-            rows = why_unknown(view)
+            rows = _why_unknown(view)
             for offset, words in enumerate(rows):
                 text = f" {words} "
                 x = compass.width // 2 - len(text) // 2
@@ -212,3 +221,26 @@ def _stops(view: View) -> list[tuple[float, float]]:
         for end, sign in zip(limits, (-1.0, 1.0), strict=True)
         if abs(end - position.cable_deg) < 360.0
     ]
+
+
+def _why_unknown(view: View) -> tuple[str, ...]:
+    """Return a word for why the position is not known, and what would make it known."""
+    state = view.state
+    if view.waiting:
+        return "NOT READ YET", "opening the port"
+    if state.link.state is LinkPhase.LOST:
+        return "LINK LOST", "plug the cable in"
+    if state.link.state is LinkPhase.SILENT:
+        return "SILENT", "the dish is silent"
+    if state.activity is Activity.HOMING:
+        return "HOMING", "keep its swing clear"
+    if state.dish is not None and state.dish.no_direction:
+        return "NO DIRECTION", "no azimuth and elevation"
+    if state.awaits_first_move:
+        moves = state.motion is not None or state.activity is Activity.UNKNOWN
+        return "NOT TOLD", "on its way" if moves else "send it somewhere first"
+    if state.homed is False:
+        return "NOT HOMED", *home_hint(view).split(": ")
+    if state.position_lost in _LOST:
+        return _LOST[state.position_lost], *home_hint(view).split(": ")
+    return "UNKNOWN", "not read yet"

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from birdcage.station.known import CableTurn
 
-from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, fit, pad
 from birdcage_tui.drawing.digits import angle_text, put_big, width_of
-from birdcage_tui.panes.error_strip import draw_error_strip
-from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.error_scale import legible_deg
+from birdcage_tui.shown.pursuit import pursuit_of, sample_of
 from birdcage_tui.shown.state_words import age_text, motion_text, uncertainty_text
 from birdcage_tui.shown.stop_words import stop_text
 from birdcage_tui.shown.track_words import headline, live_words, los_words, next_words
@@ -19,6 +21,11 @@ from birdcage_tui.widgets.sky_ground import UNKNOWN_SIGN
 
 ROOM_TO_SAY = 52
 """From this width on the gauge says where its figure comes from, unless it was counted from a homing just now."""
+LEAST_STRIP_WIDTH, MOST_STRIP_WIDTH = 24, 60
+LEAST_TOP_DEG = 0.1
+"""What the top of the strip of errors stands for at least: a good pursuit must look like one."""
+GAP_S = 5.0
+"""Errors further apart are not joined by a line."""
 
 
 def motion_ink(view: View) -> str:
@@ -61,6 +68,33 @@ def cable_gauge(cells: Cells, y: int, view: View) -> None:
     cells.put(x, y, "▕" + "─" * width + "▏", "dim")
     cells.put(x + 1 + mark, y, view.pointer, "dim" if view.stale else "accent")
     cells.put(x + width + 2, y, tail, "text")
+
+
+def _error_strip(cells: Cells, x: int, height: int, view: View) -> None:
+    """Draw a heading and the pointing error of the last seconds, a second a column of dots, in the rows 0 to `height`.
+
+    Nothing unless the dish follows now.
+    """
+    width = min(cells.width - 1 - x, MOST_STRIP_WIDTH)
+    if width < LEAST_STRIP_WIDTH or height < 4 or not view.link_up or sample_of(view) is None:
+        return
+    shown = [look for look in view.followed if view.now - look.at < width * 2]
+    if len(shown) < 2:
+        return
+    x = cells.width - 1 - width
+    worst = max(look.error_deg for look in shown)
+    top_deg = max(LEAST_TOP_DEG, legible_deg([look.error_deg for look in shown]) * 1.1)
+    canvas, dots = Braille(width, height - 1), (height - 1) * 4 - 1
+
+    def at(at_s: float, error_deg: float) -> tuple[float, float]:
+        return width * 2 - 1 - (view.now - at_s), dots * (1 - min(error_deg / top_deg, 1.0))
+
+    canvas.line(0, dots, width * 2 - 1, dots, "line", every=4)
+    for one, other in pairwise(shown):
+        if other.at - one.at <= GAP_S:
+            canvas.line(*at(one.at, one.error_deg), *at(other.at, other.error_deg), "accent")
+    cells.put(x, 0, f"error  max {worst:.2f}° in {view.now - shown[0].at:.0f} s"[:width], "dim")
+    canvas.onto(cells, x, 1)
 
 
 class PointingPane(Pane):
@@ -108,7 +142,7 @@ class PointingPane(Pane):
         start_el = left + width_of("000.00°", large=large) + gap
         put_big(cells, start_el, 0, el, ink, large=large)
         y = 5 if large else 3
-        draw_error_strip(cells, start_el + width_of("00.00°", large=large) + 3, y + 1, view)
+        _error_strip(cells, start_el + width_of("00.00°", large=large) + 3, y + 1, view)
         age_s = view.position_age_s
         if position is not None and position.modelled:
             for x in (left, start_el):

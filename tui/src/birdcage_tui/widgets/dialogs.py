@@ -2,24 +2,42 @@
 
 from __future__ import annotations
 
-from typing import cast
+from typing import TypeVar, cast
 
 from rich.text import Text
 from textual import on
 from textual.app import ComposeResult
+from textual.await_complete import AwaitComplete
 from textual.containers import Vertical, VerticalScroll
 from textual.message import Message
-from textual.screen import ModalScreen
+from textual.screen import ModalScreen, Screen
 from textual.widgets import Static
 
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.stop_words import esc_text, stop_keys
 from birdcage_tui.shown.view import View
-from birdcage_tui.widgets.layer import Found, Layer
 from birdcage_tui.widgets.status import TopRow
 
+Found = TypeVar("Found")
 EDGE = 2
 """Columns of the lower edge of a frame's inside that its words leave free."""
+
+
+class Layer(Screen[Found]):
+    """What lies over a page and is closed once, by an answer: dialogs, help, the palette, the letters of a jump.
+
+    The base after one of Textual's own.
+    """
+
+    def dismiss(self, result: Found | None = None) -> AwaitComplete:
+        """Close with a result; do nothing where it is closed already, or where another layer lies over it.
+
+        Textual would close whatever lies on top then: a dialog that is not answered, or the last screen, which
+        ends the app. A second click, or a message that was under way, is enough for that.
+        """
+        stack = self.app.screen_stack
+        on_top = bool(stack) and stack[-1] is self
+        return super().dismiss(result) if on_top else AwaitComplete()
 
 
 class Dialog(ModalScreen[Found], Layer[Found]):
