@@ -86,7 +86,7 @@ class BirdcageAntenna:
         self.own = OwnFacts()
         """What was learnt of this dish itself."""
         self.kind = self.rotator.facts
-        """The dish as it was seen to take commands; `protocol.model` is what is known of all that are like it."""
+        """The dish as it was seen to take commands; `rotator.facts` is what is known of all that are like it."""
         self.model = self.kind
         """The same with the speeds that are in force now."""
         self.strategy = strategy_for(self)

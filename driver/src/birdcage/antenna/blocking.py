@@ -36,7 +36,7 @@ class Without:
 
 
 class MoveCommands:
-    """One axis a time, each with the deadline that the motors on their way call for."""
+    """Every command of a move goes out here, with the deadline that the motors on their way call for."""
 
     def __init__(self, antenna: BirdcageAntenna) -> None:
         self._antenna = antenna

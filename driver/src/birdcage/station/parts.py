@@ -50,7 +50,7 @@ class Parts:
         self.mover.await_stream_end()
 
     def free_wire(self) -> None:
-        """Have the console in the motor menu for what comes next. LinkError unless the dish answers."""
+        """End what is read in other menus: the next exchange goes to its own. LinkError unless the dish answers."""
         self.require_link("nothing is sent")
         if self.watches.excursion is not None:
             self.watches.end_excursion()

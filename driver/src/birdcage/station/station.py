@@ -279,7 +279,7 @@ class Station:
     def _next(self, now: float) -> tuple[float, Callable[[], None]]:
         """Return the next piece of work, and when it is due: of what is due now, what ranks highest.
 
-        In this order: STOP, link, motion, requests, then looking. A request has its turn after a task's piece of work.
+        In this order: STOP, link, motion, tasks, requests, then looking. A request goes first after a task's work.
         """
         link_is_up = self._store.state.link.state is LinkPhase.UP
         ranked: list[tuple[float | None, Callable[[], None]]] = []
