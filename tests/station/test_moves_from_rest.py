@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 from birdcage.antenna.alignment import Alignment
+from birdcage.antenna.motion_state import MotionState
 from birdcage.station.events import LeaseChanged, PositionRead
 from birdcage.station.requests import AcquireLease, Goto, Jog, Raw, Release
 
@@ -41,9 +44,12 @@ def test_it_goes_where_it_should_and_is_told_as_ever(bench):
     assert (truth.az_deg, truth.el_deg) == (pytest.approx(115.0, abs=0.07), pytest.approx(40.0, abs=0.07))
 
 
-def test_on_its_way_it_is_read_first(bench):
-    bench.station.submit(Goto(120.0, 40.0, "you"))
-    bench.step(1.0)
+@pytest.mark.parametrize("seconds", [0.06, 1.0])
+def test_on_its_way_it_is_read_first(bench, seconds):
+    """Also before the first look at the motion."""
+    bench.station.submit(Goto(120.0, 45.0, "you"))
+    bench.step(seconds)
+    assert bench.state.motion is not None
     assert said(bench, Jog(1.0, 0.0, "you"))[0] == READ
 
 
@@ -91,3 +97,12 @@ def test_a_listener_hears_what_it_asked_for_alone(bench):
     heard.clear()
     bench.step(3.0)
     assert heard == []
+
+
+def test_a_motion_that_is_forgotten_takes_the_last_look_at_rest_with_it():
+    moving = MotionState()
+    moving.seen_at_rest = 1000.0
+    moving.end()
+    assert moving.seen_at_rest == 1000.0, "it rested already"
+    moving.forget()
+    assert moving.seen_at_rest == -math.inf
