@@ -50,6 +50,13 @@ def test_limits_say_which_and_by_how_much(gate, az, el, reason, limit, by):
     assert f"{limit:.2f}" in str(refused.value)
 
 
+def test_the_nearest_elevation_is_one_that_the_caller_may_be_sent_to(gate):
+    low, high = gate.el_limits_deg
+    assert (gate.nearest_el_deg(-5.0), gate.nearest_el_deg(45.0), gate.nearest_el_deg(95.0)) == (low, 45.0, high)
+    gate.update(floor_deg=30.0)
+    assert gate.nearest_el_deg(20.0) == 30.0
+
+
 def test_below_the_floor_is_a_value_error(gate):
     gate.update(floor_deg=30.0)
     with pytest.raises(ValueError, match=r"below the floor of 30\.00"):

@@ -76,6 +76,12 @@ def test_after_a_raw_line_that_moves_it_is_read_first(bench):
     assert said(bench, Goto(30.0, 40.0, "you"))[0] == READ
 
 
+def test_while_the_position_is_in_doubt_it_is_read_first(bench):
+    bench.do(AcquireLease("console"))
+    bench.do(Raw("a 0 200", "console", confirmed=2))
+    assert said(bench, Goto(30.0, 40.0, "console"))[0] == READ
+
+
 def test_after_another_alignment_it_is_read_first(bench):
     bench.station._antenna.align(Alignment(az_offset_deg=2.0))
     assert said(bench, Jog(1.0, 0.0, "you"))[0] == READ
