@@ -26,8 +26,9 @@ def bench():
 def said(bench, request):
     """What the dish hears from now on, until it moves."""
     before = len(bench.lines())
-    bench.station.submit(request)
+    future = bench.station.submit(request)
     while not any(line.startswith("a ") for line in bench.lines()[before:]):
+        assert not future.done(), future.exception(0)
         bench.step(0.01)
     return bench.lines()[before:]
 
