@@ -191,6 +191,8 @@ def _floors(sky: Curve, t: np.ndarray, orders: tuple[list[Order], list[Order]]) 
         after = np.clip(np.searchsorted(acted, t), 1, len(acted) - 1)
         interval = acted[after] - acted[after - 1]
         weight = np.where(interval < LONGEST_S, rate**2, 0.0)
+        if not weight.any():
+            continue  # no two commands of this axis were close enough to tell
         saw_tooth += np.mean(weight * interval**2) / 12.0
         age = t - sent[after - 1]
         unforeseen += np.mean(weight * (age - np.average(age, weights=weight)) ** 2)

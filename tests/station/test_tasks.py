@@ -18,6 +18,7 @@ from birdcage.station.requests import (
     Release,
     ReleaseLease,
     ResumeTask,
+    Watch,
 )
 from birdcage.station.state import Activity
 from birdcage.station.task import ItemTask
@@ -69,11 +70,24 @@ class GivenPoints(FourPoints):
         return self.points
 
 
+@dataclass
+class WithoutPause(FourPoints):
+    """A task that always has something to ask the dish."""
+
+    kind = "without pause"
+
+    def items(self):
+        return range(400)
+
+    def do(self, item):
+        yield ReadFeatures(("rssi",))
+
+
 def scan(asked=True, holder="scan"):
     return BeginTask("four points", {}, holder, asked)
 
 
-TASKS = {kind.kind: kind for kind in (FourPoints, TwoPoints, GivenPoints)}
+TASKS = {kind.kind: kind for kind in (FourPoints, TwoPoints, GivenPoints, WithoutPause)}
 
 
 def made(**options):
@@ -305,3 +319,12 @@ def test_what_is_no_task_is_refused_with_a_reason(bench):
     assert unknown.value.reason == "unknown"
     with pytest.raises(CommandRefused, match="can't begin"):
         bench.do(BeginTask("four points", {"points": 5}, "you"))
+
+
+def test_a_request_has_its_turn_between_the_steps_of_a_task_without_pause(bench):
+    bench.do(BeginTask("without pause", {}, "scan"))
+    bench.step(1.0)
+    asked = bench.station.submit(Watch("a page", frozenset({"position"})))
+    bench.step(0.5)
+    assert asked.done()
+    assert 0 < bench.state.tasks[0].done < 400, "and the task goes on"
