@@ -8,6 +8,8 @@ import threading
 
 import pytest
 from birdcage.base.geometry import shortest_turn
+from birdcage.cli import which
+from birdcage.detection.detecting import Detection
 from installed_toys import installed
 
 pytest.importorskip("termios", reason="a pseudo terminal is needed")
@@ -94,6 +96,21 @@ def test_stop_without_an_owner_stops_a_g2_whatever_was_named(run, pty_dish, name
     truth = pty_dish.device.truth()
     assert not truth.moving
     assert abs(shortest_turn(truth.az_deg, 90.0)) > 20.0, "it was stopped, and did not arrive"
+
+
+def test_stop_of_a_misnamed_dish_asks_again_where_the_first_answer_is_lost(run, pty_dish, monkeypatch) -> None:
+    ask, asked = which.ask_port, []
+
+    def asking(wanted, clock, **more):
+        found = ask(wanted, clock, **more)
+        asked.append(found)
+        return found if len(asked) > 1 else Detection(pty_dish.path, None, "Nothing answers.")
+
+    monkeypatch.setattr(which, "ask_port", asking)
+    result = run("stop", "--json", port=pty_dish.path, firmware="hal205")
+    assert result.exit_code == 0, result.stderr
+    assert len(asked) == 2
+    assert json.loads(result.stdout)["confirmed"] is True
 
 
 def test_stop_without_an_owner_ends_the_slew_of_a_travler(unnamed, pty_travler) -> None:

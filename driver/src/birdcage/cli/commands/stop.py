@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 BY = "birdcage stop"
 PATIENCE_S = 15.0
 """How long a dish that does not answer is tried."""
+TIMES_ASKED = 2
+"""How often a port is asked who answers there before the firmware that was named is believed."""
 
 
 @click.command("stop", epilog=exits.EPILOG)
@@ -130,16 +132,21 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
 
 
 def _find(wanted: Wanted) -> Detection:
-    """Ask the port until something answers; a shell that homes, say, is busy for a while."""
+    """Ask the port until something answers; a shell that homes, say, is busy for a while.
+
+    Twice where a firmware was named: it is waited for after that, and one answer may be lost.
+    """
     from birdcage.base.clock import RealClock
     from birdcage.cli.which import ask_port
 
     clock = RealClock()
     until = clock.monotonic() + PATIENCE_S
-    while True:
+    found = ask_port(wanted, clock, log=False)
+    asked = 1
+    while not found.is_told and clock.monotonic() < until and not (wanted.firmware_given and asked == TIMES_ASKED):
         found = ask_port(wanted, clock, log=False)
-        if found.is_told or wanted.firmware_given or clock.monotonic() >= until:
-            return found
+        asked += 1
+    return found
 
 
 def _stop_it(wanted: Wanted) -> dict[str, Any]:
