@@ -10,7 +10,6 @@ from typing import Any
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.az_el import AzEl
-from birdcage.antenna.blocking import MoveCommands
 from birdcage.antenna.config import AntennaConfig, DialectBaud
 from birdcage.antenna.foresight import foresee
 from birdcage.antenna.gate import UNTOLD, MotionGate
@@ -23,7 +22,7 @@ from birdcage.antenna.reading import Readings
 from birdcage.antenna.reading_filter import Expected, ReadingFilter
 from birdcage.antenna.reckoning import Reckoning
 from birdcage.antenna.rest import RestWatch
-from birdcage.antenna.sender import MoveSender
+from birdcage.antenna.sender import MoveCommands, MoveSender
 from birdcage.antenna.skew import SkewGoal
 from birdcage.antenna.stop_aim import StopAim
 from birdcage.antenna.strategy.choice import strategy_for, suited

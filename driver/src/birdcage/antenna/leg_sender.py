@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.blocking import Without
 from birdcage.antenna.legs import Leg, leg_motion, plan_legs, skew_leg
 from birdcage.antenna.reckoning import farthest
+from birdcage.antenna.sender import Without
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.antenna.blocking import LATE_S
 from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.rest import STILL_DEG
+from birdcage.antenna.sender import LATE_S
 from birdcage.antenna.strategy.strategy import (
     LOOK,
     NOTHING_MOVED,
