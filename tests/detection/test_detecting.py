@@ -162,6 +162,16 @@ def test_a_rate_that_was_named_is_the_only_one_tried() -> None:
     assert desk.opened == [57600]
 
 
+def test_a_prompt_that_another_program_has_left_there_does_not_end_the_search() -> None:
+    class Left(Desk):
+        def open(self, port: str, baud: int) -> Link:
+            link = super().open(port, baud)
+            return link if baud == 115200 else Link(Foreign(b"Angle = 30.00\r\nMOT>", {}), self.clock)
+
+    found = Left("g2?seed=1").detect(first=57600)
+    assert (found.firmware, found.baud) == ("g2", 115200)
+
+
 def test_the_rate_that_is_likely_is_the_first() -> None:
     desk = Desk("hal205?seed=1")
     assert desk.detect(first=57600).firmware == "hal205"

@@ -65,6 +65,16 @@ def test_only_enter_is_sent_where_no_prompt_answers():
     assert dish.written == b"\r"
 
 
+def test_a_prompt_that_another_program_has_left_there_answers_nothing():
+    clock = VirtualClock()
+    dish = Dish(clock)
+    dish.say("Angle = 30.00\r\nMOT>")
+    dish.muted = True
+    found = probe(dish, clock, 57600, tokens=TOKENS)
+    assert (found.saw, found.prompt, found.count) == (Saw.SILENCE, "", 0)
+    assert dish.written == b"\r?\r\r"
+
+
 def test_silence_is_waited_for_and_no_longer():
     clock = VirtualClock()
     dish = Dish(clock)

@@ -133,7 +133,12 @@ def probe(
     heard = ask(ENTER, listen_s)
     saw, prompt, listed, text = judge(heard, tokens), _standing(heard), frozenset[str](), heard
     if saw is Saw.PROMPT and prompt:
-        text += ask(HELP, HELP_S)
+        told = ask(HELP, HELP_S)
+        if not told:
+            # The prompt may have answered the program before this one, at another rate: only an Enter of ours tells.
+            heard = text = ask(ENTER, listen_s)
+            saw, prompt = judge(heard, tokens), _standing(heard)
+        text += told
         listed = commands(line for line in _readable(text[len(heard) :]).splitlines() if line.strip() != prompt)
     waited_s = round(clock.monotonic() - began, 3)
     return BaudFinding(baud, saw, _sample(heard), len(heard), waited_s, prompt, listed, _readable(text))
