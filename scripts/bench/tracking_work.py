@@ -23,6 +23,7 @@ from tracking_dishes import G2, IDEAL, PLAY, ROBUST, SHAKEN, TRAVLER_5, WORN, Di
 from tracking_passes import Case
 from tracking_peers import PEERS
 from tracking_runner import DELAY_S, EARLY_S, Bench, Order
+from tracking_smoothed import SMOOTHED
 
 OURS: dict[str, Callable[[], Controller]] = {
     "fast": lambda: fast,
@@ -120,7 +121,7 @@ def run(work: Work) -> Score:
         if ours:
             bench.follow(OURS[work.policy](), course, begin_s, end_s, LEADS_S[work.policy] if rewind is None else 0.0)
         else:
-            bench.follow(PEERS[work.policy](), plan.sky, begin_s, end_s)
+            bench.follow((PEERS | SMOOTHED)[work.policy](), plan.sky, begin_s, end_s)
     return _score(work, dish, plan, true, bench)
 
 

@@ -54,6 +54,12 @@ def test_a_large_miss_is_refused_with_the_nearest_unless_that_is_asked_for(swing
     assert swing.twin.truth().el_deg == pytest.approx(34.87, abs=0.1)
 
 
+def test_gpredict_gets_no_file_for_what_follows_nothing(swing):
+    result = swing("serve", "--print-gpredict")
+    assert (result.exit_code, result.stdout) == (4, "")
+    assert "The Swing has no azimuth and elevation." in result.stderr
+
+
 def test_a_pass_is_refused_by_what_it_is(swing):
     result = swing("track", "19.2E", "--engage")
     assert result.exit_code != 0

@@ -40,11 +40,6 @@ def test_help_of_all_names_the_commands_without_loading_them() -> None:
         assert f"\n  {name} " in done.stdout
 
 
-def test_there_is_no_network_server(run) -> None:
-    assert "serve" not in COMMANDS
-    assert run("serve").exit_code == 2
-
-
 @pytest.mark.parametrize("name", list(COMMANDS))
 def test_every_command_tells_its_exit_codes(run, name) -> None:
     result = run(name, "--help")

@@ -62,7 +62,8 @@ def questions(g2):
     """Return each way to read features, with the ids of its rows."""
     asked = {}
     for name, row in g2.feature_table._rows.items():
-        asked.setdefault(row.read, set()).add(name)
+        if row.read is not None:  # else it can only be set
+            asked.setdefault(row.read, set()).add(name)
     return asked
 
 

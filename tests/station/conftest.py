@@ -16,6 +16,17 @@ from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
 
+class RunningClock(VirtualClock):
+    """Goes on between two looks at it, as a real one does: what is due at a later look is not due at an earlier."""
+
+    looks = 0
+
+    def monotonic(self):
+        self.looks += 1
+        self.advance(2e-5)
+        return super().monotonic()
+
+
 @dataclass
 class Bench:
     """What the tests of the station hold in their hands."""
@@ -23,9 +34,9 @@ class Bench:
     address: str = "g2?seed=1"
     options: dict = field(default_factory=dict)
     firmware: str = "g2"
+    clock: VirtualClock = field(default_factory=lambda: VirtualClock())
 
     def __post_init__(self):
-        self.clock = VirtualClock()
         self.device = open_device(self.address, clock=self.clock)
         self.opened = []
         settings = StationSettings(port="sim:test", firmware=self.firmware, open_link=self._open, **self.options)

@@ -20,7 +20,7 @@ class OwnerStandIn:
         self.asked_port = asked or port
         self.stops: list[str] = []
         self.asked: list[Request] = []
-        self.subscribe, self.warn = self.board.subscribe, self.board.warn
+        self.subscribe, self.watch, self.warn = self.board.subscribe, self.board.watch, self.board.warn
 
     @property
     def state(self) -> StationState:

@@ -140,6 +140,7 @@ def test_lines_that_break_parsers_are_refused(line: bytes | str) -> None:
 def test_a_request_reads_as_its_fields() -> None:
     assert to_json(Goto(180.0, 45, "you")) == {
         "v": 1, "type": "Goto", "az_deg": 180.0, "el_deg": 45.0, "holder": "you", "clamp": False, "take_over": False,
+        "asked": True, "resume_within_s": 0.0,
     }  # fmt: skip
     assert to_json(Watch("you", frozenset({"rssi", "position"})))["features"] == ["position", "rssi"]
 
@@ -175,7 +176,10 @@ def test_a_time_of_another_zone_is_the_same_time() -> None:
     ({"az_deg": None}, "Goto.az_deg is null. Give a number."),
     ({"az_deg": 10**400}, "within ±2^53"),
     ({"clamp": 1}, "Goto.clamp is 1. Give true or false."),
-    ({"azimuth": 1}, 'Goto has no field "azimuth". It has az_deg, el_deg, holder, clamp, take_over.'),
+    (
+        {"azimuth": 1},
+        'Goto has no field "azimuth". It has az_deg, el_deg, holder, clamp, take_over, asked, resume_within_s.',
+    ),
     ({"type": "Pursue"}, "Pursue can't come from another program. A plan is made by the program that has the port"),
     ({"type": "ApplySettings"}, "Settings come from birdcage.toml"),
 ])  # fmt: skip

@@ -6,7 +6,8 @@ from dataclasses import fields
 from typing import get_type_hints
 
 from birdcage.station.pursuit_state import Pursuit, PursuitChanges
-from birdcage.station.state import StateChanges, StationState
+from birdcage.station.state import StationState
+from birdcage.station.state_changes import StateChanges
 
 
 def test_each_field_of_the_state_can_be_changed_and_no_other():

@@ -27,7 +27,7 @@ from birdcage.station.requests import (
 )
 from birdcage.station.state import Activity, LinkPhase
 
-from .conftest import Bench
+from .conftest import Bench, RunningClock
 
 HEALTH = {"lnb_supply", "driver.azimuth", "driver.elevation"}
 MENUS = {"dvb", "a3981", "step", "os", "nvs"}
@@ -77,6 +77,16 @@ def test_health_is_all_that_the_machine_marks_as_such_each_at_its_own_interval(b
     assert sent.count("diag") == len(times_of(bench, "driver.azimuth")), "one line tells of both drivers"
     assert not {"rssi 10", "snr", "id"} & set(sent)
     assert bench.state.menu == "mot"
+
+
+def test_by_a_clock_that_runs_on_all_is_read_and_the_station_rests_in_between():
+    bench = Bench(clock=RunningClock())
+    bench.watch("position", "health", "rssi")
+    bench.connect(30.0)
+    assert HEALTH | {"rssi"} <= bench.state.readings.keys()
+    looks = bench.clock.looks
+    bench.step(10.0)
+    assert bench.clock.looks - looks < 5_000
 
 
 def test_any_feature_is_watched_at_its_own_rate_and_not_before_it_may_be_read_again(bench):

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+from datetime import timedelta
 
 import pytest
 import sky_stand_in
 import track_stage
+from birdcage.base.clock import VirtualClock
+from birdcage.station.network_state import NetworkClient, NetworkLine, NetworkProgram, NetworkRole, NetworkState
+from birdcage.station.requests import AcquireLease, ReleaseLease
 from stage import read, run
 
 SIZES = [(80, 24), (100, 30), (120, 36), (160, 48), (240, 70)]
@@ -29,7 +33,7 @@ def flat(text):
 def test_it_says_who_has_control_who_may_take_it_and_how_it_is_stopped_from_a_shell(size):
     text = flat(run(network, "slewing", size, key="f2", sky=sky_stand_in.make()))
     for words in ("Control", "You, at this terminal.", "Who may move it", "Tracker", "Console", "birdcage stop",
-                  "birdcage hold", "birdcage release", "The server for Gpredict"):  # fmt: skip
+                  "birdcage hold", "birdcage release", "off. o serves Gpredict"):  # fmt: skip
         assert words in text, words
 
 
@@ -55,3 +59,101 @@ def test_while_a_pass_is_followed_it_names_it_with_its_error_and_what_comes_next
     text = flat(track_stage.run(to_network, size=(120, 36)))
     assert re.search(r"Following METEOR-M2 4 error ±?\d\.\d\d°, for tracker\.", text), text
     assert "In reach" in text or "in 0" in text or "eiling" in text
+
+
+NOW = VirtualClock().utc()
+CLIENTS = (
+    NetworkClient(
+        1, "rotctld 1", NetworkProgram.GPREDICT, "127.0.0.1:45806", NOW, NetworkRole.CONTROL, 176.0, 40.0, "P 176 40",
+        NOW - timedelta(seconds=0.8), 40, lines=(NetworkLine(NOW, "P 176.00 40.00", "RPRT 0"),),
+    ),
+    NetworkClient(
+        2, "rotctld 2", NetworkProgram.SATDUMP, "192.168.1.9:51234", NOW, NetworkRole.IGNORED, 171.0, 41.0, "P 171 41",
+        NOW - timedelta(seconds=1.0), 41, ignored=41, why="Gpredict has control.",
+        lines=(NetworkLine(NOW, "P 171.00 41.00", "RPRT 0"),),
+    ),
+    NetworkClient(3, "rotctld 3", NetworkProgram.UNKNOWN, "172.17.0.2:40000", NOW),
+)  # fmt: skip
+
+
+class Server:
+    """Stands in for the app's server: notes what is asked of it."""
+
+    is_on = True
+
+    def __init__(self):
+        self.asked = []
+
+    def switch(self):
+        self.asked.append("switch")
+        return "Switched."
+
+    def hang_up(self, number):
+        self.asked.append(number)
+
+    def close(self):
+        self.asked.append("close")
+
+
+def serving(*clients, **more):
+    return {"network": NetworkState("127.0.0.1", 4533, clients=clients, **more)}
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_with_a_server_it_says_who_is_connected_what_each_wants_and_gets(size):
+    text = flat(
+        run(network, "slewing", size, key="f2", state=serving(*CLIENTS, turned_away=2) | {"holder": "rotctld 1"})
+    )
+    assert "Control Gpredict (rotctld 1)." in text
+    assert "on at 127.0.0.1:4533, turned away 2. o stops it." in text
+    assert re.search(r"▶ Gpredict .*176.0/40.0 P 0.8 s .*control", text)
+    assert "ignored 41 times, told RPRT 0" in text
+    assert re.search(r"rotctld 3 .*watches", text)
+    assert "Lines of Gpredict" in text
+    assert "P 176.00 40.00" in text
+
+
+def test_with_room_it_says_how_to_connect():
+    text = flat(run(network, "slewing", (120, 36), key="f2", state=serving()))
+    assert "No program is connected yet." in text
+    assert "rotctl -m 2 -r 127.0.0.1:4533" in text
+    assert "SATNOGS_ROT_PORT=127.0.0.1:4533" in text
+
+
+def test_strict_says_what_an_ignored_client_is_told():
+    assert "told RPRT -9" in flat(run(network, "slewing", (120, 36), key="f2", state=serving(*CLIENTS, strict=True)))
+
+
+def test_keys_choose_a_client_hang_up_and_switch_the_server():
+    server = Server()
+
+    async def press(app, pilot):
+        await network(app, pilot)
+        await pilot.press("down", "x")
+        text = flat(await read(app, pilot))
+        await pilot.press("o")
+        await pilot.pause()
+        return text
+
+    text = run(press, "slewing", (120, 36), key="f2", state=serving(*CLIENTS), network=server)
+    assert "▶ SatDump" in text
+    assert "Lines of SatDump" in text
+    assert server.asked == [2, "switch"]
+
+
+def test_one_key_takes_control_for_a_quarter_of_an_hour_and_one_gives_it_back():
+    async def press(app, pilot):
+        await network(app, pilot)
+        await pilot.press("t", "B")
+        await pilot.pause()
+        return app.station.asked
+
+    asked = run(press, "idle", (120, 36), key="f2")
+    assert [each for each in asked if isinstance(each, AcquireLease | ReleaseLease)] == [
+        AcquireLease("you", take_over=True, for_s=900.0), ReleaseLease("you"),
+    ]  # fmt: skip
+
+
+def test_control_for_a_while_says_until_when():
+    text = flat(run(network, "idle", (120, 36), key="f2", state={"holder": "you", "holder_until": NOW}))
+    assert f"You, at this terminal, until {NOW:%H:%M:%S}Z." in text

@@ -148,8 +148,7 @@ def test_the_network_tab_says_what_there_is_and_what_there_is_not():
             "arrows, g, presets",
             "birdcage stop",
             "birdcage release",
-            "rotctld",
-            "The server for Gpredict",
+            "off. o serves Gpredict",
         ):
             assert words in text
 

@@ -29,6 +29,7 @@ from birdcage_tui.drawing.terminal_cells import ASPECT
 from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.clock_watch import make_check
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.feeds.network_source import StationNetwork
 from birdcage_tui.feeds.ready_watch import KeptChecks
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.signal_source import SessionSignals
@@ -126,6 +127,8 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
             stack.callback(ControlServer(session.station, owners_folder(paths)).close)
             stack.callback(SleepInhibitor(session.station).close)
+        if settings.network is not None:
+            stack.callback(settings.network.close)
         app.ending.take_signal = signals.take
         signals.tell(app.ending.by_signal, lambda: _end_stuck(app))
         try:
@@ -247,13 +250,16 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
         for given in [dotted for dotted in flags if dotted.startswith("place.")]:
             del flags[given]  # what a person says here counts over what was given at the start
 
-    signals = SessionSignals(session, settings, load_again)
+    signals, network = SessionSignals(session, settings, load_again), StationNetwork(session.station, load_again)
+    if settings.rotctld.in_app:
+        network.switch()  # what is wrong with it is a warning, and shown
     return session, replace(
         _app_settings(settings, paths, demo=options.demo),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=make_track(session, settings, load_again, paths, demo=options.demo, signals=signals),
         signal=signals,
+        network=network,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         clock_check=make_check(clock, paths),

@@ -61,6 +61,8 @@ class Reason(StrEnum):
     """The machine answered with nothing, or with what is not known, and did not move."""
 
     # a motion that was not sent
+    NOT_NOW = "not_now"
+    """The owner's command says that the dish may not move unattended now."""
     LIMIT = "limit"
     """A limit forbids it."""
     NOT_A_NUMBER = "not_a_number"

@@ -24,6 +24,8 @@ COMMANDS = {
     "release": "Let programs move the dish again.",
     "home": "Home the dish: run into the end stops to find the reference.",
     "setup": "Go from wires to the first satellite, step by step.",
+    "serve": "Drive the dish for Gpredict, SatNOGS, SatDump and others, over the network.",
+    "station": "Drive the dish without a face, for programs that attach.",
     "status": "Print the state of the dish.",
     "events": "Print what happens to the dish, as the program that drives it reports.",
     "detect": "Find out which firmware answers on the port, with the evidence.",

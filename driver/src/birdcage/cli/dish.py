@@ -2,42 +2,34 @@
 
 from __future__ import annotations
 
-import queue
 import signal
 import threading
 import traceback
-from collections.abc import Callable, Iterator
-from concurrent.futures import Future
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 
 import click
 
 from birdcage.base.clock import Clock, RealClock
-from birdcage.base.errors import BirdcageError, ConfigError, LinkError, MotionRefused, NoReply, PositionUnknown
+from birdcage.base.errors import BirdcageError, ConfigError, MotionRefused, NoReply, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
 from birdcage.cli.app import EndedBySignal
 from birdcage.cli.options import Wanted
-from birdcage.cli.say import Progress, say
+from birdcage.cli.say import say
+from birdcage.cli.station_command import CONFIRM_S, StationCommand
 from birdcage.cli.which import with_firmware
 from birdcage.station.control_client import owners_folder
 from birdcage.station.control_server import ControlServer
-from birdcage.station.events import Event, StopConfirmed
 from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
-from birdcage.station.requests import Request, Watch
+from birdcage.station.requests import Watch
 from birdcage.station.session import Session
-from birdcage.station.state import Activity, LinkPhase, StationState, StopReport
+from birdcage.station.state import LinkPhase, StationState
+from birdcage.station.station import Station
 
-"""The console is another dish's: waiting longer changes nothing."""
-SLICE_S = 0.1
-"""How long a wait goes without looking round: on Windows no signal ends it."""
-CONFIRM_S = 6.0
-"""How long the end of a command waits for the dish to confirm a STOP."""
-NOTHING_MOVED_S = 1.0
-"""How long it waits when nothing was moving: to prove that a dish stands still may take longer than a person does."""
 LEAVE_S = 12.0
 """How long the end of a command may take after a signal, the confirmation of STOP included; then it is ended hard."""
 SURVEY_S = 10.0
@@ -46,36 +38,20 @@ SURVEY_S = 10.0
 READ_S = 5.0
 """How long to wait for the first reading of the position."""
 
-Hear = Callable[[Event], None]
 
+class DishSession(StationCommand):
+    """The session of one command, on a port of its own. A signal sends STOP first."""
 
-class DishSession:
-    """The session of one command, and the waiting for it. Signals end every wait with `EndedBySignal`, after STOP."""
+    station: Station
 
     def __init__(self, session: Session, *, moves: bool) -> None:
-        self.session, self.station = session, session.station
-        self.progress = Progress()
-        self.confirmed: StopReport | None = None
-        """What the dish said to the last STOP."""
-        self.closing = False
-        self.stop_called = False
-        """Whether this command called STOP. The station notes it a little later."""
-        self.leave_moving = False
-        """Set when the motion shall outlive the command."""
-        self.moves = moves
-        self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
-        self._signal: int | None = None
-        self.station.subscribe(self._events.put)
+        self.session = session
+        super().__init__(session.station, moves=moves)
 
     @property
-    def state(self) -> StationState:
-        """What is known now."""
-        return self.station.state
-
-    @property
-    def now(self) -> float:
-        """Monotonic seconds of the session's clock."""
-        return self.session.clock.monotonic()
+    def crash(self) -> BaseException | None:
+        """What has ended the station's thread, if something has."""
+        return self.session.crash
 
     def on_signal(self, number: int) -> None:
         """STOP before anything else; the wait under way ends afterwards. On the thread of the signals."""
@@ -83,65 +59,12 @@ class DishSession:
             # Ctrl+C on a dish that moves is a person's STOP; any other signal ends the program, and that stops it.
             person = number == signal.SIGINT and self.station.bar()
             self.call_stop("Ctrl+C" if person else signal.Signals(number).name, leaving=not person)
-        self._signal = number
-        self._events.put(None)
+        self.end_wait(number)
 
     def call_stop(self, by: str, *, leaving: bool = False) -> None:
         """STOP: its bytes are out when this returns. `leaving`: the dish is not held for other programs."""
         self.station.stop(by, leaving=leaving)
         self.stop_called = True
-
-    def come_up(
-        self, timeout_s: float, *, patient: bool = False, hear: Hear | None = None,
-        each_time: Callable[[], None] = lambda: None,
-    ) -> StationState:  # fmt: skip
-        """Wait until the dish answers. LinkError when the port can't be had, NoReply when the dish does not answer.
-
-        Someone patient waits out the silence (of a dish that boots) until the time is over.
-        """
-        deadline = self.now + timeout_s
-        while self.state.link.state is not LinkPhase.UP:
-            link, over = self.state.link, self.now >= deadline
-            if link.state is LinkPhase.LOST and (over or not patient or link.last_reply is None):
-                raise LinkError(link.detail)
-            silent = link.state is LinkPhase.SILENT and (not patient or link.reason is Reason.WRONG_FIRMWARE)
-            if over or silent:
-                raise NoReply(link.detail, reason=link.reason)
-            self.look(hear)
-            each_time()
-        return self.state
-
-    def ask(self, request: Request, timeout_s: float, hear: Hear | None = None) -> object:
-        """Submit a request and wait for its result, which may be the error that it raises."""
-        future = self.station.submit(request)
-        self.wait(future, timeout_s, hear)
-        return future.result()
-
-    def wait(self, future: Future[object], timeout_s: float, hear: Hear | None = None) -> None:
-        """Wait for a future; BirdcageError when it takes too long."""
-        deadline = self.now + timeout_s
-        while not future.done():
-            if self.now >= deadline:
-                raise BirdcageError(f"Not done within {timeout_s:.0f} s.", reason=Reason.TIMEOUT)
-            self.look(hear)
-
-    def look(self, hear: Hear | None = None) -> None:
-        """Wait a moment for something to happen. Raises Ended after a signal, and what ended the station's thread."""
-        self._next(hear)
-        if self._signal is not None:
-            raise EndedBySignal(self._signal)
-        if self.session.crash is not None:
-            raise self.session.crash
-
-    def _next(self, hear: Hear | None = None) -> None:
-        try:
-            event = self._events.get(timeout=SLICE_S)
-        except queue.Empty:
-            return
-        if isinstance(event, StopConfirmed):
-            self.confirmed = event.report
-        if event is not None and hear is not None:
-            hear(event)
 
     def survey(self) -> None:
         """Wait until the dish has told its limits and settings, which it is asked once the line is proven quiet."""
@@ -152,40 +75,9 @@ class DishSession:
             self.look()
         self.progress.clear()
 
-    def close(self) -> str:
+    def let_go(self) -> str:
         """Give the port back, and return where the dish is left."""
-        self.progress.clear()
-        self.closing = True
         return self.session.close(leave_moving=self.leave_moving)
-
-    @property
-    def in_motion(self) -> bool:
-        """Whether the dish moves because of this command."""
-        return self.state.motion is not None or self.state.activity in (
-            Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.FOLLOWING,
-        )  # fmt: skip
-
-    def stop(self, by: str) -> StopReport | None:
-        """STOP, and wait for what came of it; None when nothing did in time."""
-        called = self.now
-        self.call_stop(by)
-        return self.settle(called)
-
-    def settle(self, since: float, *, leaving: bool = False) -> StopReport | None:
-        """Wait for what came of a STOP that was called at `since` or later.
-
-        Who is `leaving` does not wait for the proof that a dish which nothing had moved stands still.
-        """
-        begun = self.now
-        while self.now < begun + CONFIRM_S and self.session.crash is None:
-            if self.confirmed is not None and self.confirmed.at >= since:
-                return self.confirmed
-            last = self.state.last_stop
-            idle = last is not None and last.at >= since and last.means == "nothing moved"
-            if leaving and idle and self.now >= begun + NOTHING_MOVED_S:
-                return None
-            self._next()
-        return None
 
 
 def why_unknown(state: StationState) -> str:
@@ -236,7 +128,7 @@ def open_dish(
     wanted = with_firmware(wanted, clock=clock)
     dish = DishSession(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
     with ExitStack() as stack:
-        signals = _take_signals(stack, dish)
+        signals = take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
             stack.callback(ControlServer(dish.station, owners_folder(wanted.paths)).close)
@@ -250,7 +142,7 @@ def open_dish(
                 if signals is not None:
                     signals.leave(LEAVE_S)
         except (BirdcageError, EndedBySignal, click.ClickException) as error:
-            _leave(dish, begun, error, wanted)
+            leave_dish(dish, begun, error, wanted)
             if isinstance(error, NoReply) and not wanted.firmware_given:
                 error.add_note(
                     f"Firmware unknown, so {wanted.firmware} was tried. `birdcage detect` shows the answer at "
@@ -261,7 +153,7 @@ def open_dish(
             if moves:
                 dish.call_stop("a fault of birdcage")
             traceback.print_exception(crash)
-            _leave(dish, begun, crash, wanted)
+            leave_dish(dish, begun, crash, wanted)
             for line in crash.__notes__:
                 say(line)
             raise click.exceptions.Exit(exits.CRASH) from crash
@@ -269,14 +161,14 @@ def open_dish(
             dish.close()
 
 
-def _leave(dish: DishSession, begun: float, error: BaseException, wanted: Wanted) -> None:
+def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted: Wanted) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
     error.__notes__ = []
-    if dish.moves and dish.in_motion and not dish.stop_called and dish.state.last_stop is None:
+    if dish.moves and dish.in_motion and not dish.stop_called and dish.stopped_since(begun) is None:
         dish.call_stop("birdcage", leaving=True)
-    stopped = dish.stop_called or dish.state.last_stop is not None
+    stopped = dish.stop_called or dish.stopped_since(begun) is not None
     if stopped:
-        report = dish.settle(begun, leaving=True) or dish.state.last_stop
+        report = dish.settle(begun, leaving=True) or dish.stopped_since(begun)
         if report is not None:
             error.add_note(report.sentence)
             if report.confirmed is None and report.means != "nothing moved":
@@ -304,12 +196,13 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     )  # fmt: skip
 
 
-def _take_signals(stack: ExitStack, dish: DishSession) -> SignalListener | None:
+def take_signals(stack: ExitStack, dish: StationCommand) -> SignalListener | None:
+    """Hear signals for a command, until the stack is left; None off the main thread, which alone can."""
     if threading.current_thread() is not threading.main_thread():
         return None  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
     signals = SignalListener()
     stack.callback(signals.close)
     # Without a word: it is a terminal that takes none which keeps the main thread.
-    signals.tell(dish.on_signal, lambda: dish.session.close(leave_moving=dish.leave_moving))
+    signals.tell(dish.on_signal, dish.let_go)
     signals.start()
     return signals

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -166,21 +166,24 @@ def find_paths() -> Paths:
     return paths.with_config(Path(chosen))
 
 
-def load_settings(paths: Paths) -> Settings:
-    """Return the settings with the flags of this command over them."""
+def load_settings(paths: Paths, own: Mapping[str, object] | None = None) -> Settings:
+    """Return the settings with the flags of this command over them; `own` are those that no other command has."""
     from birdcage.base.config import load
 
     given = flags()
     over = {"dish.port": given.get("port"), "dish.firmware": given.get("firmware"), "dish.baud": given.get("baud")}
-    return load(paths.config_file, flags=over)
+    return load(paths.config_file, flags={**over, **(own or {})})
 
 
-def wanted() -> Wanted:
-    """Return which dish is meant, and say what in the settings could not be read."""
+def wanted(own: Mapping[str, object] | None = None) -> Wanted:
+    """Return which dish is meant, and say what in the settings could not be read.
+
+    `own`: settings by dotted key that this command has flags for; None among them was not given.
+    """
     from birdcage.cli.say import say
 
     paths = find_paths()
-    settings = load_settings(paths)
+    settings = load_settings(paths, own)
     for problem in settings.problems:
         say(problem.text)
     dish = settings.dish

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import HookSettings
+from birdcage.base.user_command import GRACE_S, UserCommand
 from birdcage.pursuit.follower import told_reach_end
-from birdcage.pursuit.hook_run import GRACE_S, HookRun
 from birdcage.pursuit.pass_facts import Event, PassFacts, facts_of
 from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
 
@@ -51,7 +51,7 @@ class PassHooks:
         self._done: set[Event] = set()
         self._begun = False
         """Whether its start came in time, with a hook or without."""
-        self._runs: list[HookRun] = []
+        self._runs: list[UserCommand] = []
 
     def plan(self, facts: PassFacts | None) -> None:
         """Run the hooks of this pass at their times; None: there is none any more.
@@ -135,7 +135,8 @@ class PassHooks:
         def say(text: str) -> None:
             self._sink(HookLine(self._clock.utc(), event, facts.name, text))
 
-        run = HookRun(event, command, facts, say, deadline_s=settings.deadline_s, grace_s=self._grace_s)
+        told, line = facts.environment(event), facts.json_line(event)
+        run = UserCommand(command, told, line, say, deadline_s=settings.deadline_s, grace_s=self._grace_s)
         self._runs.append(run)
 
 

@@ -201,7 +201,7 @@ def hooks(settings: Settings) -> Iterator[Check]:
 
     commands = {
         key: command
-        for key in ("at_reach_start", "at_tca", "at_reach_end")
+        for key in ("at_reach_start", "at_tca", "at_reach_end", "on_event")
         if (command := getattr(settings.hooks, key)) is not None
     }
     for key, command in commands.items():

@@ -192,6 +192,8 @@ class Facts:
     """What it tells and lets be set besides its position, by id; `Rotator.read` and `Rotator.write` do it."""
     settings_name: str = "settings"
     """What the machine calls the table of its settings: its backups are named by it."""
+    rotctld_name: str = ""
+    """What clients of Hamlib's network protocol are told that it is; empty: its name."""
     connectors: tuple[Connector, ...] = ()
     """Its plugs; none where it is not reached by a cable, or no source draws it."""
     kin_connectors: tuple[Connector, ...] = ()

@@ -23,6 +23,8 @@ TV_SEARCH = "tv_search"
 """Whether it searches for TV satellites by itself from the next power-up on."""
 END_TV_SEARCH = "end_tv_search"
 """Ends that search while it runs; it begins again at the next power-up."""
+ENABLE_LNA = "enable_lna"
+"""Switches the supply of the LNB on, at the coax of the machine's own tuner."""
 POSITION = "position"
 """What faces watch for where a machine points. It is no feature: none may have this id."""
 HEALTH = "health"
@@ -125,6 +127,8 @@ class Feature:
     cost: Cost = field(default_factory=Cost)
     told: bool = True
     """Whether the machine tells it when asked. If not, it can only be set; its answer to that is all that it tells."""
+    samples: int = 1
+    """How many measurements the machine averages in one reading."""
     health: HealthMark | None = None
     """How it tells how well the machine is; None for what does not."""
 

@@ -7,11 +7,15 @@ from __future__ import annotations
 
 import itertools
 import math
+from bisect import bisect_right
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from operator import itemgetter
 from typing import Protocol
 
-from birdcage.base.geometry import separation, wrap_360
+from birdcage.base.errors import CommandRefused
+from birdcage.base.geometry import separation, shortest_turn, wrap_360
+from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis, Role
 
 _ROUGH_DEG = 2.0
@@ -80,11 +84,63 @@ class Arc:
         return {self.axis: nearest}, miss(nearest)
 
 
+@dataclass(frozen=True, slots=True)
+class MappingOutline:
+    """A `SkyMapping` as another program is told of it: how far it reaches, and the curve of a single axis.
+
+    `to_axes` and `to_sky` go by the points of the curve; with more than one axis they raise CommandRefused
+    (`unsupported`).
+    """
+
+    sky: tuple[Axis, Axis]
+    """Azimuth and elevation as the machine reaches them (`mapped_axes`)."""
+    axis: str = ""
+    """Of the curve; empty with more than one axis."""
+    points: tuple[tuple[float, float, float], ...] = ()
+    """Angle of that axis, azimuth and elevation there, from its least angle to its greatest."""
+
+    @classmethod
+    def of(cls, axes: Sequence[Axis], mapping: SkyMapping) -> MappingOutline:
+        """Return the outline of a mapping; an outline is its own."""
+        if isinstance(mapping, MappingOutline):
+            return mapping
+        own = [axis for axis in axes if axis.role is not Role.SKEW]
+        sky = mapped_axes(axes, mapping)
+        if len(own) > 1:
+            return cls(sky)
+        count = max(2, math.ceil((own[0].max_deg - own[0].min_deg) / _ROUGH_DEG))
+        degs = [own[0].min_deg + (own[0].max_deg - own[0].min_deg) * k / count for k in range(count + 1)]
+        return cls(sky, own[0].name, tuple((deg, *mapping.to_sky({own[0].name: deg})) for deg in degs))
+
+    def to_axes(self, az_deg: float, el_deg: float) -> tuple[Mapping[str, float], float]:
+        """See `SkyMapping`."""
+        self._require_curve()
+        curve = Arc(self.axis, self.points[0][0], self.points[-1][0], lambda deg: self.to_sky({self.axis: deg}))
+        return curve.to_axes(az_deg, el_deg)
+
+    def to_sky(self, angles: Mapping[str, float]) -> tuple[float, float]:
+        """See `SkyMapping`. On a straight line between two points of the curve."""
+        self._require_curve()
+        deg = angles[self.axis]
+        at = min(max(bisect_right(self.points, deg, key=itemgetter(0)), 1), len(self.points) - 1)
+        (low, az_low, el_low), (high, az_high, el_high) = self.points[at - 1], self.points[at]
+        share = (deg - low) / (high - low)
+        return wrap_360(az_low + shortest_turn(az_low, az_high) * share), el_low + (el_high - el_low) * share
+
+    def _require_curve(self) -> None:
+        if len(self.points) < 2:
+            raise CommandRefused(
+                "Only the program that has the port of this machine knows where it points.", reason=Reason.UNSUPPORTED
+            )
+
+
 def mapped_axes(axes: Sequence[Axis], mapping: SkyMapping) -> tuple[Axis, Axis]:
     """Return azimuth and elevation as such a machine reaches them: ranges of the sky, and speeds on the mean.
 
     An azimuth range across north is given as the whole circle.
     """
+    if isinstance(mapping, MappingOutline):
+        return mapping.sky
     own = [axis for axis in axes if axis.role is not Role.SKEW]
     sky = list(_directions(own, mapping))
     azimuths, elevations = [az for az, _ in sky], [el for _, el in sky]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from datetime import datetime
+from datetime import datetime, timedelta
 
 from birdcage.base.errors import Held, LeaseDenied, MotionRefused
 from birdcage.base.held import HeldNote, HeldReason
@@ -22,6 +22,10 @@ class Control:
         """`keeper` keeps HELD for the programs that come after; None if nothing lasts beyond this one."""
         self._store, self._keeper = store, keeper
         self.latched = False
+        self.despite_fault = ""
+        """Who may move the dish though a fault waits: to home it after that. Empty: no holder."""
+        self.due: float | None = None
+        """When the holder's control ends by itself, in monotonic seconds."""
         signals.port_found.connect(self.meet)
         if keeper is not None:
             keeper.on_trouble = lambda sentence: store.change(held_trouble=sentence)
@@ -37,6 +41,16 @@ class Control:
         previous = self._store.state.holder
         if previous not in (None, holder) and not take_over:
             raise LeaseDenied(f"{previous} has control. Take control, or wait until it is free.")
+
+    def end_after(self, for_s: float | None) -> None:
+        """Let the present holder have control for so long, and no longer; None: until it is given back."""
+        at, utc = self._store.stamp()
+        self.due = None if for_s is None else at + for_s / self._store.clock.rate
+        self._store.change(holder_until=None if for_s is None else utc + timedelta(seconds=for_s))
+
+    def tick(self) -> None:
+        """The time of the holder is over."""
+        self._pass_to(None)
 
     def hand_back(self, holder: str, previous: str | None) -> None:
         """Give the lease that `holder` has taken back to its previous holder, if there was one."""
@@ -71,7 +85,7 @@ class Control:
             )
         if state.motion_refused_because is not None:
             raise MotionRefused(state.motion_refused_because, reason=Reason.SETTINGS)
-        if state.fault is not None:
+        if state.fault is not None and holder != self.despite_fault:
             raise Held(f"Acknowledge the fault first: {state.fault.what}.", reason=Reason.FAULT)
 
     def announce(self, holder: str, az_deg: float, el_deg: float) -> None:
@@ -126,5 +140,6 @@ class Control:
 
     def _pass_to(self, holder: str | None) -> None:
         previous = self._store.state.holder
-        self._store.change(holder=holder)
+        self.due = None
+        self._store.change(holder=holder, holder_until=None)
         self._store.tell(LeaseChanged(*self._store.stamp(), holder, previous))

@@ -14,6 +14,9 @@ from dataclasses import replace
 from birdcage.base.errors import BadMessage, BirdcageError, NoReply
 from birdcage.base.reason import Reason
 from birdcage.station import control_messages as messages
+from birdcage.station.attach_messages import Attach
+from birdcage.station.attached_caller import AttachedCaller
+from birdcage.station.attachments import Attachments
 from birdcage.station.control_messages import ControlCall, EndOfEvents, HoldDish, ListFeatures, TellStatus
 from birdcage.station.event_stream import EventStream
 from birdcage.station.events import Event, StopConfirmed
@@ -65,9 +68,13 @@ class OutsideWatches:
 class ControlCaller:
     """Serves one connection on a thread of its own. STOP waits for no other caller, and for no request."""
 
-    def __init__(self, station: Station, token: str, line: socket.socket, watches: OutsideWatches) -> None:
-        self._station, self._token, self._line, self._watches = station, token, line, watches
-        self._stream: EventStream | None = None
+    def __init__(
+        self, station: Station, token: str, line: socket.socket, watches: OutsideWatches, attachments: Attachments
+    ) -> None:
+        self._station, self._token, self._line = station, token, line
+        self._watches, self._attachments = watches, attachments
+        self._lines = LineReader(line)
+        self._stream: EventStream | AttachedCaller | None = None
         self.thread = threading.Thread(target=self._run, name="control caller", daemon=True)
 
     def leave(self) -> None:
@@ -96,7 +103,7 @@ class ControlCaller:
     def _heard(self) -> object:
         """Return what the caller's line holds."""
         try:
-            return parse(LineReader(self._line).read(messages.LONGEST_LINE, LINE_S))
+            return parse(self._lines.read(messages.LONGEST_LINE, LINE_S))
         except ValueError:
             raise BadMessage(f"The line is longer than {messages.LONGEST_LINE} bytes. Ask for less.") from None
 
@@ -110,15 +117,20 @@ class ControlCaller:
 
     def _serve(self, call: ControlCall) -> None:
         log.debug("%s asks: %s", call.by, type(call.request).__name__)
+        if isinstance(call.request, Attach):
+            self._stream = attached = AttachedCaller(self._station, call.request, self._attachments)
+            attached.serve(self._line, self._lines.ahead)
+            return
         if not call.events:
             self._say(self._answer(call))
             return
-        with EventStream(self._station) as self._stream:
+        with EventStream(self._station) as stream:
+            self._stream = stream
             try:
                 answer = self._answer(call)
                 self._say(answer)
                 if answer["ok"]:
-                    self._stream.send(self._line)
+                    stream.send(self._line)
             finally:
                 for watcher in self._watches.end_of(self):
                     self._station.submit(Unwatch(watcher))
@@ -144,6 +156,8 @@ class ControlCaller:
                 return self._submit(outside)
             case Read() | Set():
                 return self._submit(request)
+            case Attach():
+                raise AssertionError("served by AttachedCaller")
 
     def _stop(self, by: str) -> dict[str, object]:
         called = self._station.clock.monotonic()

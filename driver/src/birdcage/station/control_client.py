@@ -18,6 +18,7 @@ from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
 from birdcage.base.text import clean_all
 from birdcage.base.user_file import read_user_file
+from birdcage.station.attach_messages import Attach, Attached
 from birdcage.station.control_messages import (
     LONGEST_ANSWER,
     LONGEST_LINE,
@@ -121,9 +122,29 @@ def _events(owner: Owner, lines: LineReader) -> Iterator[dict[str, Any]]:
         yield told
 
 
+def attach_to(owner: Owner, name: str, by: str) -> tuple[socket.socket, bytes, Attached]:
+    """Attach to the owner; return the line, what was read of it already, and what it says (`attach_messages`).
+
+    The line is then the caller's to close. Raises what `call_owner` does.
+    """
+    request = Attach(name)
+    with contextlib.ExitStack() as stack:
+        line = stack.enter_context(_connected(owner, ControlCall(request, by)))
+        lines = LineReader(line)
+        attached: Attached = _result(owner, request, _answer(owner, lines))
+        stack.pop_all()
+    return line, lines.ahead, attached
+
+
 @contextlib.contextmanager
 def _called(owner: Owner, call: ControlCall) -> Iterator[LineReader]:
     """Send what is asked, and give the lines that come back."""
+    with _connected(owner, call) as line:
+        yield LineReader(line)
+
+
+def _connected(owner: Owner, call: ControlCall) -> socket.socket:
+    """Connect, and send what is asked."""
     asked = as_line(call_to_json(owner.token, call))
     if len(asked) > LONGEST_LINE:
         raise CommandRefused("That is more than another program can be asked at once. Nothing was sent: ask for less.")
@@ -133,15 +154,16 @@ def _called(owner: Owner, call: ControlCall) -> Iterator[LineReader]:
         raise _silent(owner) from None
     except OSError:
         raise _gone(owner) from None
-    with line:
-        try:
-            line.settimeout(ANSWER_S)
-            line.sendall(asked)
-        except TimeoutError:
-            raise _silent(owner) from None
-        except OSError:
-            raise _gone(owner) from None
-        yield LineReader(line)
+    try:
+        line.settimeout(ANSWER_S)
+        line.sendall(asked)
+    except TimeoutError:
+        line.close()
+        raise _silent(owner) from None
+    except OSError:
+        line.close()
+        raise _gone(owner) from None
+    return line
 
 
 def _next(lines: LineReader, within_s: float | None) -> dict[str, Any]:

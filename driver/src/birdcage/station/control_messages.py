@@ -9,6 +9,8 @@ The last line says why they end:
 
     ended     {"v": 1, "type": "EventsEnded", "why": "slow", "sentence": "…"}
 
+A caller that asks for `Attach` stays for many requests (`attach_messages`).
+
 The server is `control_server`, the caller's side `control_client`; `docs/architecture.md`, *The control channel*, tells
 the whole.
 """
@@ -19,14 +21,16 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
-from typing import Any
+from typing import Any, get_args
 
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.text import clean
 from birdcage.rotator.feature import Reading
+from birdcage.station.attach_messages import Attach, Attached, check_name
 from birdcage.station.feature_report import error_values
 from birdcage.station.json_form import VERSION, check_version, request_from_json, to_json
-from birdcage.station.json_shapes import Shape, shape_of, shown
+from birdcage.station.json_shapes import shape_of
+from birdcage.station.json_values import Shape, shown
 from birdcage.station.requests import Read, Release, Set, Stop, Unwatch, Watch
 
 LONGEST_LINE = 4096
@@ -52,14 +56,14 @@ class ListFeatures:
     """Tell what the dish tells and lets be set, as `birdcage features --json` prints it. Asks the dish nothing."""
 
 
-ControlRequest = Stop | HoldDish | Release | TellStatus | ListFeatures | Read | Set | Watch | Unwatch
-FROM_OUTSIDE: Mapping[str, type] = {
-    each.__name__: each for each in (Stop, HoldDish, Release, TellStatus, ListFeatures, Read, Set, Watch, Unwatch)
-}
-"""What another program may ask, by name. None of them is a motion."""
+ControlRequest = Stop | HoldDish | Release | TellStatus | ListFeatures | Read | Set | Watch | Unwatch | Attach
+FROM_OUTSIDE: Mapping[str, type] = {each.__name__: each for each in get_args(ControlRequest)}
+"""What another program may ask in its first line, by name. None of them is a motion: who wants one attaches."""
 
 
-RESULTS: Mapping[type, Shape] = {Read: shape_of(Mapping[str, Reading]), Set: shape_of(Reading)}
+RESULTS: Mapping[type, Shape] = {
+    Read: shape_of(Mapping[str, Reading]), Set: shape_of(Reading), Attach: shape_of(Attached),
+}  # fmt: skip
 """How the results of some look; those of the others are reports (`report`, `feature_report`), or null."""
 
 
@@ -70,6 +74,8 @@ class EndOfEvents(StrEnum):
     """The caller did not read fast enough, and has missed some."""
     CLOSING = "closing"
     """The program that has the port is ending."""
+    BAD_LINE = "bad line"
+    """An attached caller has sent what is no line of this form."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +93,7 @@ ENDS = {
             EndOfEvents.SLOW, "Events came faster than they were read, so some are lost. Ask again to follow on."
         ),
         EventsEnded(EndOfEvents.CLOSING, "The program that has the port is ending."),
+        EventsEnded(EndOfEvents.BAD_LINE, "That is no request with a number. Attach again: one object a line."),
     )
 }
 
@@ -119,6 +126,8 @@ def call_from_json(told: Mapping[str, Any]) -> ControlCall:
     request = request_from_json(told.get("request"), FROM_OUTSIDE)
     if isinstance(request, Watch) and not events:
         raise BadMessage('A watch lasts as long as its caller listens. Ask with "events": true.')
+    if isinstance(request, Attach):
+        check_name(request)
     return ControlCall(request, clean(by), events)
 
 

@@ -19,6 +19,7 @@ import time
 from pathlib import Path
 
 from birdcage.base.wake import Wake
+from birdcage.station.attachments import Attachments
 from birdcage.station.control_caller import ControlCaller, OutsideWatches
 from birdcage.station.control_client import owner_file
 from birdcage.station.events import Event, LinkChanged
@@ -43,7 +44,7 @@ class ControlServer:
         self._file: Path | None = None
         self._lock = threading.Lock()
         self._callers: list[ControlCaller] = []
-        self._watches = OutsideWatches()
+        self._watches, self._attachments = OutsideWatches(), Attachments(station)
         self._wake = Wake()
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._listener.setblocking(False)
@@ -64,6 +65,7 @@ class ControlServer:
         for caller in self._callers:
             caller.thread.join(max(0.0, until - time.monotonic()))
             caller.hang_up()
+        self._attachments.close()
 
     def _hear(self, event: Event) -> None:
         """Announce the port once it is really ours, which its being open proves: another program may have it."""
@@ -118,8 +120,9 @@ class ControlServer:
             with contextlib.suppress(OSError):  # the caller has hung up already
                 line, _ = self._listener.accept()
                 # A thread each: a caller that says nothing must not keep the next one's STOP waiting.
-                caller = ControlCaller(self._station, self._token, line, self._watches)
-                caller.thread.start()
+                caller = ControlCaller(self._station, self._token, line, self._watches, self._attachments)
+                # Listed first: from its first answer on it can be told that the server ends.
                 self._callers = [*(other for other in self._callers if other.thread.is_alive()), caller]
+                caller.thread.start()
         self._listener.close()
         self._wake.close()

@@ -64,7 +64,7 @@ class DishMonitor:
         """Return when there is something to look at, `now` for at once; in motion, what may be read all the same."""
         if self.paused:
             return None
-        features = self._features.due()
+        features = self._features.due(now)
         if self._store.state.activity not in RESTING:
             return features
         if self._reader.wants_survey and not self._unsettled:
@@ -91,7 +91,7 @@ class DishMonitor:
             self._features.tick()
         elif self._is_due(self._position_due(), now) or self._is_due(self._look_again_at, now):
             self._read_position()
-        elif self._is_due(self._features.due(), now):
+        elif self._is_due(self._features.due(now), now):
             self._features.tick()
 
     @staticmethod

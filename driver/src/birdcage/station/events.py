@@ -139,6 +139,28 @@ class TranscriptLine(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class NotNowChanged(Event):
+    """The owner's command says that the dish may not move unattended now, or that it may again (an empty sentence)."""
+
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
+class ClientIgnored(Event):
+    """The wishes of a network client are not carried out; told at most once a minute for each."""
+
+    client: str
+    why: str
+
+
+@dataclass(frozen=True, slots=True)
+class Recovered(Event):
+    """A dish that had restarted was homed again with no person near."""
+
+    sentence: str
+
+
+@dataclass(frozen=True, slots=True)
 class PursuitChanged(Event):
     """A pursuit began, is in another phase, or has another plan."""
 

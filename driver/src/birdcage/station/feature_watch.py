@@ -40,16 +40,16 @@ class FeatureWatch:
         dish = self._store.state.dish
         return {} if dish is None else dish.features
 
-    def due(self) -> float | None:
-        """Return when something is to be read; None if nothing is watched that may be read as things are."""
+    def due(self, now: float) -> float | None:
+        """Return when something is to be read, `now` for at once; None if nothing watched may be read as things are."""
         activity = self._store.state.activity
         if activity not in (Activity.IDLE, Activity.FOLLOWING):
             self._watches.end_excursion()  # what STOP or a motion has cut short is not taken up again
         if activity is Activity.IDLE:
-            return self._due_at_rest()
+            return self._due_at_rest(now)
         return self._due_moving() if activity in MOVES_ON else None
 
-    def _due_at_rest(self) -> float | None:
+    def _due_at_rest(self, now: float) -> float | None:
         excursion, periods = self._watches.excursion, self._watches.periods_s(self._features)
         if excursion is not None:
             if any(each in periods for each in excursion.todo):
@@ -58,7 +58,7 @@ class FeatureWatch:
         if not periods or not self._reader.may_leave:
             return None
         times = [self._due_of(name, period_s) for name, period_s in periods.items()]
-        at = max(self._watches.next_excursion_at, self._store.clock.monotonic(), min(times))
+        at = max(self._watches.next_excursion_at, now, min(times))
         return self._fits_at(at, self._plan(at, periods))
 
     def _due_of(self, name: str, period_s: float) -> float:

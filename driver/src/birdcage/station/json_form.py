@@ -17,7 +17,8 @@ from typing import Any, get_args
 from birdcage.base.errors import BadMessage
 from birdcage.station import events
 from birdcage.station.events import Event
-from birdcage.station.json_shapes import FieldsShape, shown
+from birdcage.station.json_shapes import FieldsShape
+from birdcage.station.json_values import shown
 from birdcage.station.requests import ApplySettings, Pursue, Request
 
 VERSION = 1

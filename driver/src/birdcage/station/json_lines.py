@@ -14,7 +14,11 @@ class LineReader:
     def __init__(self, line: socket.socket) -> None:
         self._line = line
         self._ahead = b""
+
+    @property
+    def ahead(self) -> bytes:
         """What came after the last line that was read."""
+        return self._ahead
 
     def read(self, longest: int, within_s: float | None) -> bytes:
         """Return the next line with its end; what came before the peer hung up, without one; empty after that.

@@ -6,9 +6,11 @@
     Enum, Literal                   its value
     tuple, frozenset                a list; that of a set is sorted
     Mapping                         an object; numbers as keys are text
-    dataclass                       an object with all its fields; one with a default may be left out when read
+    dataclass, NamedTuple           an object with all its fields; one with a default may be left out when read
+    Path                            text
     a feature's value               a number, text, or true and false; text of several lines is a list of them
-    Plan                            its outline, which is also what is read back (`plan_outline`)
+    Range                           its ends; one without an end has null there
+    Plan, SkyMapping                its outline, which is also what is read back (`plan_outline`, `rotator.mapping`)
 
 All text that is read is clean (`base.text`). What does not fit raises BadMessage, which names the field.
 """
@@ -21,41 +23,38 @@ import math
 import re
 import types
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import MISSING, Field, fields, is_dataclass
-from datetime import UTC, datetime
+from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
+from datetime import datetime
 from enum import Enum
 from functools import cache
+from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal, Protocol, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from birdcage.base.errors import BadMessage
 from birdcage.base.text import clean
-from birdcage.rotator.feature import Value
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import Range, Value
+from birdcage.rotator.mapping import MappingOutline
+from birdcage.station.json_values import (
+    MOMENT,
+    NUMBER,
+    TEXT,
+    TRUTH,
+    WHOLE,
+    ChoiceShape,
+    FeatureValueShape,
+    OptionalShape,
+    Shape,
+    shown,
+    unfit,
+)
 from birdcage.station.plan_outline import PlanOutline, outline
 
-MOST = 2**53
-"""Beyond this, programs that keep every number as a float do not agree on whole ones."""
-MOST_LISTED = 15
-"""Words of an enum that a sentence still lists."""
-_MOMENT = re.compile(r"\d{4}-\d\d-\d\dT\d\d:\d\d(:\d\d(\.\d{1,6})?)?(Z|[+-]\d\d:\d\d)", re.ASCII)
-_WHOLE = re.compile(r"-?\d{1,15}", re.ASCII)
+_WHOLE_KEY = re.compile(r"-?\d{1,15}", re.ASCII)
 _VALUE = frozenset(get_args(Value))
-_NAMES = {"Plan": PlanOutline}
-"""What names of types mean here that their modules know only while types are checked."""
-
-
-class Shape(Protocol):
-    """One type, as JSON."""
-
-    @property
-    def words(self) -> str:
-        """What JSON it is, for errors and documents: `a number`, `a list, each item text`."""
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return a value as JSON; `where` names its field. BadMessage for what JSON can't hold."""
-
-    def take(self, told: object, where: str) -> Any:
-        """Return the value of JSON that came from outside. BadMessage for what does not fit."""
+NAMES = {"Plan": PlanOutline, "SkyMapping": MappingOutline}
+"""What names of types mean here: what stands for a plan, and for a mapping, in another program."""
 
 
 @cache
@@ -66,7 +65,8 @@ def shape_of(kind: Any) -> Shape:
     origin, arguments = get_origin(kind), get_args(kind)
     if origin in (Union, types.UnionType):
         rest = frozenset(arguments) - {type(None)}
-        inner: Shape = FeatureValueShape() if rest == _VALUE else shape_of(*rest)
+        is_value = len(rest) > 1 and rest <= _VALUE
+        inner: Shape = FeatureValueShape() if is_value else shape_of(*rest)
         return OptionalShape(inner) if len(rest) < len(arguments) else inner
     if origin is Literal:
         return ChoiceShape({each: each for each in arguments})
@@ -79,149 +79,11 @@ def shape_of(kind: Any) -> Shape:
         return ObjectShape(shape_of(arguments[1]), whole_keys=arguments[0] is int)
     if isinstance(kind, type) and issubclass(kind, Enum):
         return ChoiceShape({each.value: each for each in kind}, kind.__name__)
-    if is_dataclass(kind):
+    if kind is Range:
+        return RangeShape()
+    if is_dataclass(kind) or hasattr(kind, "_field_defaults"):
         return FieldsShape(kind)
     raise TypeError(f"{kind} has no JSON form")
-
-
-def shown(told: object) -> str:
-    """Return JSON from outside, short enough for a sentence."""
-    if isinstance(told, list | dict):
-        return "a list" if isinstance(told, list) else "an object"
-    if told is None or isinstance(told, bool):
-        return "null" if told is None else str(told).lower()
-    text = f'"{told}"' if isinstance(told, str) else str(told)
-    return text if len(text) <= 60 else f"{text[:60]}…"
-
-
-def unfit(told: object, where: str, shape: Shape) -> BadMessage:
-    """Return the error for JSON that does not fit."""
-    return BadMessage(f"{where} is {shown(told)}. Give {shape.words}.")
-
-
-class PlainShape:
-    """Text, or true and false."""
-
-    def __init__(self, kind: type, words: str) -> None:
-        self._kind, self.words = kind, words
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return it as it is."""
-        if not isinstance(value, self._kind):
-            raise unfit(repr(value), where, self)
-        return value
-
-    def take(self, told: object, where: str) -> Any:
-        """Return it, text clean."""
-        if type(told) is not self._kind:
-            raise unfit(told, where, self)
-        return clean(told) if isinstance(told, str) else told
-
-
-class NumberShape:
-    """A number; a whole one where the field is an `int`."""
-
-    def __init__(self, *, whole: bool) -> None:
-        self._whole = whole
-        self.words = "a whole number" if whole else "a number"
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return it. BadMessage for NaN and infinity, which JSON does not have."""
-        if not isinstance(value, int | float) or not math.isfinite(value):
-            raise unfit(repr(value), where, self)
-        return int(value) if self._whole else float(value)
-
-    def take(self, told: object, where: str) -> Any:
-        """Return it; a whole number does for any other."""
-        if isinstance(told, bool) or not isinstance(told, int if self._whole else int | float):
-            raise unfit(told, where, self)
-        if (isinstance(told, int) and abs(told) > MOST) or not math.isfinite(told):
-            raise BadMessage(f"{where} is {shown(told)}. Give {self.words} within ±2^53.")
-        return told if self._whole else float(told)
-
-
-class MomentShape:
-    """A time."""
-
-    words = "a time like 2026-11-23T06:04:28Z"
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return it as text, in UTC."""
-        if not isinstance(value, datetime) or value.tzinfo is None:
-            raise unfit(repr(value), where, self)
-        return f"{value.astimezone(UTC).replace(tzinfo=None).isoformat()}Z"
-
-    def take(self, told: object, where: str) -> Any:
-        """Return it, in UTC."""
-        if not isinstance(told, str) or not _MOMENT.fullmatch(told):
-            raise unfit(told, where, self)
-        try:
-            return datetime.fromisoformat(told).astimezone(UTC)
-        except (ValueError, OverflowError):
-            raise unfit(told, where, self) from None
-
-
-class ChoiceShape:
-    """One of some words, or numbers."""
-
-    def __init__(self, choices: Mapping[Any, object], name: str = "") -> None:
-        """Take the choices by their words; `name` is what they are called where they are too many to list."""
-        self._choices = choices
-        self._words = {value: word for word, value in choices.items()}
-        listed = ", ".join(map(shown, choices))
-        self.words = f"a word of {name}" if name and len(choices) > MOST_LISTED else f"one of {listed}"
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return its word."""
-        if value not in self._words:
-            raise unfit(repr(value), where, self)
-        return self._words[value]
-
-    def take(self, told: object, where: str) -> Any:
-        """Return what the word stands for."""
-        if isinstance(told, bool) or not isinstance(told, str | int) or told not in self._choices:
-            raise unfit(told, where, self)
-        return self._choices[told]
-
-
-class OptionalShape:
-    """A type, or null for what is not known."""
-
-    def __init__(self, inner: Shape) -> None:
-        self._inner = inner
-        self.words = f"{inner.words}, or null"
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return it, or null."""
-        return None if value is None else self._inner.tell(value, where)
-
-    def take(self, told: object, where: str) -> Any:
-        """Return it, or None."""
-        return None if told is None else self._inner.take(told, where)
-
-
-class FeatureValueShape:
-    """The value of a feature of the dish."""
-
-    words = "a number, text, true or false"
-
-    def tell(self, value: Any, where: str) -> object:
-        """Return it; text of several lines as a list of them."""
-        if isinstance(value, str):
-            return value.split("\n") if "\n" in value else value
-        return value if isinstance(value, bool) else _NUMBER.tell(value, where)
-
-    def take(self, told: object, where: str) -> Any:
-        """Return it; a list of lines as one text."""
-        if isinstance(told, list) and told:
-            return "\n".join(_TEXT.take(line, f"{where}[{at}]") for at, line in enumerate(told))
-        if isinstance(told, bool):
-            return told
-        if isinstance(told, int | float):
-            return _NUMBER.take(told, where)
-        if isinstance(told, str):
-            return clean(told)
-        raise unfit(told, where, self)
 
 
 class ListShape:
@@ -233,8 +95,8 @@ class ListShape:
 
     def tell(self, value: Any, where: str) -> object:
         """Return a list; that of a set is sorted."""
-        items = sorted(value) if isinstance(value, frozenset) else value
-        return [self._item.tell(each, f"{where}[{at}]") for at, each in enumerate(items)]
+        items: list[Any] = [self._item.tell(each, f"{where}[{at}]") for at, each in enumerate(value)]
+        return sorted(items) if isinstance(value, frozenset) else items
 
     def take(self, told: object, where: str) -> Any:
         """Return the tuple or set."""
@@ -284,54 +146,104 @@ class ObjectShape:
     def _key(self, key: str, where: str) -> str | int:
         if not self._whole_keys:
             return clean(key)
-        if not _WHOLE.fullmatch(key):
+        if not _WHOLE_KEY.fullmatch(key):
             raise BadMessage(f"{where} has the key {shown(key)}. Give a whole number as text.")
         return int(key)
 
 
+@dataclass(frozen=True, slots=True)
+class ShapedField:
+    """One field of an object."""
+
+    name: str
+    shape: Shape
+    required: bool
+    """Whether it has no default, so that JSON must have it."""
+
+
 class FieldsShape:
-    """A dataclass."""
+    """A dataclass, or a tuple with names."""
 
     def __init__(self, kind: Any) -> None:
         self.kind = kind
         self.words = f"an object ({kind.__name__})"
-        hints = get_type_hints(kind, localns=_NAMES)
-        self.fields: tuple[tuple[Field[Any], Shape], ...] = tuple(
-            (each, shape_of(hints[each.name])) for each in fields(kind) if each.init
+        hints = get_type_hints(kind, localns=NAMES)
+        self.fields = tuple(
+            ShapedField(name, shape_of(hints[name]), required) for name, required in _names_of(kind).items()
         )
 
     def tell(self, value: Any, where: str) -> dict[str, object]:
         """Return an object with all fields."""
-        if self.kind is PlanOutline:
-            value = outline(value)
+        value = self._told(value)
         if not isinstance(value, self.kind):
             raise unfit(repr(value), where, self)
-        return {each.name: shape.tell(getattr(value, each.name), f"{where}.{each.name}") for each, shape in self.fields}
+        return {each.name: each.shape.tell(getattr(value, each.name), f"{where}.{each.name}") for each in self.fields}
 
     def take(self, told: object, where: str) -> Any:
-        """Return the dataclass."""
+        """Return the value."""
         if not isinstance(told, dict):
             raise unfit(told, where, self)
-        names = [each.name for each, _ in self.fields]
+        names = [each.name for each in self.fields]
         has = f"It has {', '.join(names) or 'no fields'}."
         if unknown := [key for key in told if key not in names]:
             raise BadMessage(f"{where} has no field {shown(unknown[0])}. {has}")
         given = {}
-        for each, shape in self.fields:
+        for each in self.fields:
             if each.name in told:
-                given[each.name] = shape.take(told[each.name], f"{where}.{each.name}")
-            elif is_required(each):
+                given[each.name] = each.shape.take(told[each.name], f"{where}.{each.name}")
+            elif each.required:
                 raise BadMessage(f"{where} lacks {each.name}. {has}")
-        return self.kind(**given)
+        try:
+            return self.kind(**given)
+        except (ValueError, ArithmeticError, LookupError) as error:
+            raise BadMessage(f"{where} does not fit together: {error}") from None
+
+    def _told(self, value: Any) -> Any:
+        """Return what is told of a value: its outline, where the value itself stays inside."""
+        if self.kind is PlanOutline:
+            return outline(value)
+        if isinstance(value, Facts) and value.mapping is not None:
+            return replace(value, mapping=MappingOutline.of(value.axes, value.mapping))
+        return value
 
 
-def is_required(field: Field[Any]) -> bool:
-    """Return whether a field has no default, so that JSON must have it."""
-    return field.default is MISSING and field.default_factory is MISSING
+def _names_of(kind: Any) -> dict[str, bool]:
+    """Return the fields that a value is made from, and whether each is required."""
+    if not is_dataclass(kind):
+        return {name: name not in kind._field_defaults for name in kind._fields}
+    made = (each for each in fields(kind) if each.init)
+    return {each.name: each.default is MISSING and each.default_factory is MISSING for each in made}
 
 
-_TEXT, _NUMBER = PlainShape(str, "text"), NumberShape(whole=False)
-_PLAIN: dict[Any, Shape] = {
-    str: _TEXT, float: _NUMBER, int: NumberShape(whole=True), bool: PlainShape(bool, "true or false"),
-    datetime: MomentShape(),
-}  # fmt: skip
+class RangeShape:
+    """The least and the greatest value of a feature, which may have no end."""
+
+    words = "an object with `low` and `high`, each a number, or null for no end"
+
+    def tell(self, value: Range, where: str) -> object:
+        """Return an object."""
+        ends = {"low": value.low, "high": value.high}
+        return {key: None if math.isinf(end) else NUMBER.tell(end, f"{where}.{key}") for key, end in ends.items()}
+
+    def take(self, told: object, where: str) -> Range:
+        """Return the range."""
+        if not isinstance(told, dict) or not told.keys() <= {"low", "high"}:
+            raise unfit(told, where, self)
+        return Range(**{key: NUMBER.take(end, f"{where}.{key}") for key, end in told.items() if end is not None})
+
+
+class PathShape:
+    """A path of a file on this machine."""
+
+    words = "text"
+
+    def tell(self, value: Any, where: str) -> object:
+        """Return it as text."""
+        return TEXT.tell(str(value), where)
+
+    def take(self, told: object, where: str) -> Path:
+        """Return the path."""
+        return Path(TEXT.take(told, where))
+
+
+_PLAIN: dict[Any, Shape] = {str: TEXT, float: NUMBER, int: WHOLE, bool: TRUTH, datetime: MOMENT, Path: PathShape()}

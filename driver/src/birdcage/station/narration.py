@@ -8,6 +8,7 @@ from birdcage.link.transcript import Transcript
 from birdcage.link.transcript_line import TranscriptEntry
 from birdcage.station.events import (
     ActivityChanged,
+    ClientIgnored,
     Event,
     FaultAcknowledged,
     FaultRaised,
@@ -16,9 +17,11 @@ from birdcage.station.events import (
     LinkChanged,
     MoveEnded,
     MoveStarted,
+    NotNowChanged,
     PositionRead,
     PursuitChanged,
     ReadingRead,
+    Recovered,
     StopConfirmed,
     StopSent,
     TaskChanged,
@@ -83,6 +86,12 @@ def words_of(event: Event) -> str:
         case TaskChanged(task=task) if task.kind != "pursuit":
             how_far = "" if task.of is None else f" {task.done} of {task.of}"
             return f"{task.kind} by {task.holder}: {task.phase.value}{how_far} {task.why}".rstrip()
+        case ClientIgnored():
+            return f"{event.client} is ignored: {event.why}"
+        case Recovered(sentence=sentence):
+            return sentence
+        case NotNowChanged(sentence=sentence):
+            return sentence or "the dish may move unattended again"
         case PursuitChanged(pursuit=pursuit):
             return f"pursuit of {pursuit.plan.aim.name}: {pursuit.phase.value} {pursuit.why}".rstrip()
     return ""

@@ -16,6 +16,7 @@ from birdcage.station.signals import Signals
 from birdcage.station.state import LinkPhase
 from birdcage.station.state_store import StateStore
 from birdcage.station.stopper import Stopper
+from birdcage.station.unattended import UnattendedGuard
 from birdcage.station.watches import Watches
 
 
@@ -32,6 +33,7 @@ class Parts:
     mover: DishMover
     stopper: Stopper
     watches: Watches
+    guard: UnattendedGuard
 
     def require_link(self, so: str) -> None:
         """Raise LinkError unless the dish answers; `so` is what is not done: `nothing is sent`."""

@@ -48,7 +48,7 @@ def context_for(
         request.plan, controller,
         # Without the speeds that it changes itself as it follows.
         lambda: with_speeds(antenna.kind, {**antenna.speeds_deg_s, **store.state.speeds_lent}),
-        lambda: _bounds(store), hear, request.asked, park,
+        lambda: bounds_of(store), hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
         beam.at(request.plan.aim.frequency_hz).error_deg(loss_db) if beam is not None and loss_db is not None else 0.0,
         lambda: antenna.rotator.line.answered, delay_s, lead_s(name, delay_s),
@@ -66,7 +66,8 @@ def controller_that_suits(options: PursuitOptions, antenna: BirdcageAntenna) -> 
         return controller_for(antenna.model)
 
 
-def _bounds(store: StateStore) -> PlanBounds:
+def bounds_of(store: StateStore) -> PlanBounds:
+    """Return what limits a plan of motion: axes, cable and sectors as they are now."""
     from birdcage.station.mounting import mount_of
     from birdcage.tracking.planning.bounds import PlanBounds
 

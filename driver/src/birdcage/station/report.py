@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
+
 from birdcage.rotator.facts import CableTurn
 from birdcage.station.gear_words import gear_values
+from birdcage.station.network_state import NetworkState
 from birdcage.station.state import Activity, HeldState, LinkPhase, StationState, StopReport, TvSearch
 from birdcage.station.stop_words import stop_line
 
 Value = str | float | bool | None
+Told = Value | Sequence["Told"] | Mapping[str, "Told"]
 
 
-def status_report(state: StationState, now: float) -> dict[str, Value | dict[str, Value]]:
+def status_report(state: StationState, now: float) -> dict[str, Told]:
     """Return the state as a dict that JSON can hold; what is not known is None.
 
     `now` is the station's monotonic time, from which ages in seconds are counted. Angles are true degrees, as read:
@@ -50,6 +54,7 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "held_reason": held.why if held else None,
         "held_trouble": state.held_trouble or (held.damage if held else "") or None,
         "fault": state.fault.what if state.fault else None,
+        "not_now": state.not_now or None,
         "motion_refused_because": state.motion_refused_because or (dish.no_direction if dish else "") or None,
         "search": None if state.search is TvSearch.UNKNOWN else state.search.value,
         "turn_of_cable": None if state.turn is CableTurn.UNKNOWN else state.turn.value,
@@ -61,6 +66,35 @@ def status_report(state: StationState, now: float) -> dict[str, Value | dict[str
         "rests_in_s": _left(motion.rests_at, now) if motion else None,
         "stop": stop_line(state, now),
         "last_stop": stop_report(state.last_stop) if state.last_stop else None,
+        "network": network_report(state.network) if state.network else None,
+        "warnings": list(state.warnings.values()) or None,
+    }
+
+
+def network_report(network: NetworkState) -> dict[str, Told]:
+    """Return the server for network clients, and who they are; what was said between them is left out."""
+    return {
+        "address": network.address,
+        "read_only": network.read_only,
+        "strict": network.strict,
+        "turned_away": network.turned_away,
+        "clients": [
+            {
+                "name": client.name,
+                "program": client.program.value or None,
+                "address": client.address,
+                "role": client.role.value,
+                "wants_azimuth_deg": client.wants_az_deg,
+                "wants_elevation_deg": client.wants_el_deg,
+                "last_command": client.last_command or None,
+                "last_utc": client.last_utc.isoformat(timespec="seconds") if client.last_utc else None,
+                "commands": client.commands,
+                "errors": client.errors,
+                "ignored": client.ignored,
+                "why_ignored": client.why or None,
+            }
+            for client in network.clients
+        ],
     }
 
 

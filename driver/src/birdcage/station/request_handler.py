@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Future
+from contextlib import suppress
 
 from birdcage.base.errors import BirdcageError, MotionRefused, Stopped, Superseded
 from birdcage.base.reason import Reason
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
-from birdcage.station.events import End, FaultAcknowledged
+from birdcage.station.events import ClientIgnored, End, FaultAcknowledged
 from birdcage.station.features import FeatureHandler
+from birdcage.station.lost_control import LostControl
 from birdcage.station.motor_power import MotorPower
 from birdcage.station.mover import Job
 from birdcage.station.parts import Parts
@@ -20,7 +22,11 @@ from birdcage.station.rewire import Rewire
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
+from birdcage.station.tasks.park import ParkTask, ShelterTask
 from birdcage.station.tasks.pursuit import Pursuits
+
+SHELTER = "station.not_now"
+"""Who parks the dish where the owner's command says *not now*."""
 
 
 class RequestHandler:
@@ -38,7 +44,10 @@ class RequestHandler:
         )
         self._rewire, self._raw_console, self._applying, self._host = rewire, raw_console, applying, host
         self._pursuits = Pursuits(parts, host)
+        self._unattended = ""
+        """Whose last motion no person had asked for; empty if one had."""
         self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
+        self._lost_control = LostControl(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
         """Serve one request; its future is resolved now, or at arrival for a motion.
@@ -81,6 +90,11 @@ class RequestHandler:
             case ask.Stow(holder):
                 self._motors.stow(holder, future)
                 return
+            case ask.Park(az_deg, el_deg, holder, asked):
+                self._antenna.gate.require_direction()
+                task = ParkTask(self._store, self._antenna, holder, az_deg, el_deg)
+                self._host.begin(task, asked=asked, future=future)
+                return
             case ask.SetSpeed(axis, speed_deg_s, holder):
                 self._make_way(holder)
                 future.set_result(self._features.set_speed(axis, speed_deg_s, holder))
@@ -114,8 +128,9 @@ class RequestHandler:
                 self._stopper.take_calls()
             case ask.Release():
                 self._stopper.release(stops_seen)
-            case ask.AcquireLease(holder, take_over):
+            case ask.AcquireLease(holder, take_over, for_s):
                 self._control.take(holder, take_over=take_over)
+                self._control.end_after(for_s)
                 if holder == CONSOLE:
                     self._raw_console.begin(holder)
             case ask.ReleaseLease(holder):
@@ -124,6 +139,8 @@ class RequestHandler:
                 self._watches.add(request)
             case ask.Unwatch(watcher):
                 self._watches.remove(watcher)
+            case ask.ReportIgnored(client, why):
+                self._store.tell(ClientIgnored(*self._store.stamp(), client, why))
             case ask.AcknowledgeFault(by):
                 self._acknowledge(by)
             case ask.AcceptLimits():
@@ -149,9 +166,14 @@ class RequestHandler:
             az_deg, el_deg = self._jogged(request)
         else:
             az_deg, el_deg = request.az_deg, request.el_deg
-        clamp = isinstance(request, ask.Goto) and request.clamp
+        clamp = not isinstance(request, ask.Jog) and request.clamp
         follow = isinstance(request, ask.Follow)
+        if not isinstance(request, ask.Jog):
+            self._lost_control.go_on(request.holder, request.resume_within_s)
         self._control.refuse(request.holder, az_deg, el_deg)
+        unasked = isinstance(request, ask.Goto | ask.Follow) and not request.asked
+        if unasked:
+            self._refuse_unattended()
         previous = self._take_for(request, lambda: self._judge(az_deg, el_deg, clamp=clamp))
         miss_deg = self._antenna.miss_deg(az_deg, el_deg)
         job = Job(az_deg, el_deg, request.holder, future, follow=follow, miss_deg=miss_deg)
@@ -159,9 +181,29 @@ class RequestHandler:
         try:
             self._mover.go(job, clamp=clamp, leapfrog=isinstance(request, ask.Follow) and request.leapfrog)
             self._host.by_hand(request.holder)
+            self._unattended = request.holder if unasked else ""
         except MotionRefused:
             self._control.hand_back(request.holder, previous)
             raise
+
+    def _refuse_unattended(self) -> None:
+        guard = self._parts.guard
+        if not guard.allows():
+            asks = "The owner's command is asked whether the dish may move. Ask again in a moment."
+            raise MotionRefused(guard.objection or asks, reason=Reason.NOT_NOW)
+
+    def ask_guard(self) -> None:
+        """Have the owner's command asked; where it objects, end a single motion that no person has asked for."""
+        guard, before = self._parts.guard, self._parts.guard.objection
+        guard.tick()
+        single = bool(self._unattended) and self._mover.is_moving and self._unattended == self._store.state.holder
+        if guard.objection and single:
+            self._parts.come_to_rest(guard.objection)
+            self._control.give_back(self._unattended)
+        if guard.objection and not before and guard.shelter and (single or self._host.moves_unattended):
+            task = ShelterTask(self._store, self._antenna, SHELTER, *guard.shelter)
+            with suppress(BirdcageError):  # no link, HELD: the dish rests where it is
+                self._host.begin(task, asked=False)
 
     def _take_for(
         self, request: ask.Goto | ask.Follow | ask.Jog | ask.TurnSkew, judge: Callable[[], None]

@@ -26,6 +26,11 @@ class Goto:
     """Move to the nearest allowed elevation instead of refusing one outside the limits."""
     take_over: bool = False
     """Take control from whoever has it, visibly; what is refused takes nothing, and ends no pursuit."""
+    asked: bool = True
+    """Whether a person asks for it; if not, MotionRefused (`not_now`) while the owner's command says so."""
+    resume_within_s: float = 0.0
+    """Whether it also lets go of HELD: where only a lost link has taken control from this holder, for so long at most,
+    and the dish is at rest where it was left. 0: a person has to release it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +41,12 @@ class Follow:
     el_deg: float
     holder: str
     leapfrog: bool = False
+    clamp: bool = False
+    """As in `Goto`."""
+    asked: bool = True
+    """As in `Goto`."""
+    resume_within_s: float = 0.0
+    """As in `Goto`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -184,6 +195,20 @@ class Stow:
 
 
 @dataclass(frozen=True, slots=True)
+class Park:
+    """Go to a park position, on the turn of the cable nearest its middle. Its future resolves once the dish is there.
+
+    Never stows. Control is given back at the end.
+    """
+
+    az_deg: float
+    el_deg: float
+    holder: str
+    asked: bool = True
+    """Whether somebody has asked for it just now; if not, it counts down."""
+
+
+@dataclass(frozen=True, slots=True)
 class SetSpeed:
     """Set the greatest speed of an axis (a motor number), in deg/s, until the dish restarts."""
 
@@ -277,6 +302,8 @@ class AcquireLease:
 
     holder: str
     take_over: bool = False
+    for_s: float | None = None
+    """It ends by itself after so long; None: not before it is given back. Asking again begins anew."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -305,6 +332,15 @@ class Unwatch:
     """End a watch."""
 
     watcher: str
+
+
+@dataclass(frozen=True, slots=True)
+class ReportIgnored:
+    """Tell everybody that the wishes of a network client are not carried out (`ClientIgnored`). Moves nothing."""
+
+    client: str
+    why: str
+    """As a sentence."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -339,6 +375,7 @@ Request = (
     | ReleaseMotors
     | Engage
     | Stow
+    | Park
     | SetSpeed
     | Read
     | Set
@@ -352,6 +389,7 @@ Request = (
     | ReleaseLease
     | Watch
     | Unwatch
+    | ReportIgnored
     | AcknowledgeFault
     | AcceptLimits
 )

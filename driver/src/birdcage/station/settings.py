@@ -13,6 +13,7 @@ from birdcage.base.no_go import NoGoSector
 from birdcage.link.link import Link
 from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper
+from birdcage.station.not_now import NotNow
 from birdcage.station.task import ItemTask
 
 OpenLink = Callable[[str, int], Link]
@@ -99,5 +100,9 @@ class StationSettings(Rules):
     """Keeps HELD for the programs that come after; None if it ends with this one."""
     tasks: Mapping[str, type[ItemTask[Any]]] = field(default_factory=dict)
     """Tasks that `BeginTask` may ask for, and that can be taken up again after the program has died, by their kinds."""
+    not_now: NotNow | None = None
+    """The command that says whether the dish may move unattended; None: it may."""
+    home_after_reboot: bool = False
+    """Home a dish that has restarted, and let what was interrupted go on, with no person near."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from enum import Enum, StrEnum
 from types import MappingProxyType
-from typing import TypedDict
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.gate import UNTOLD
@@ -20,6 +19,7 @@ from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
 from birdcage.rotator.values import Position
+from birdcage.station.network_state import NetworkState
 from birdcage.station.pursuit_state import Pursuit
 from birdcage.station.task_state import KeptTask, TaskState
 
@@ -137,8 +137,7 @@ class Pointing:
     skew_deg: float | None = None
     """The dish's skew; None on a dish without that axis."""
     modelled: bool = False
-    """Computed and not read: nothing can be asked while a silent slew lasts. `at` is then when it was computed, and
-    `read_at` when the dish last said where it was."""
+    """Computed and not read: nothing can be asked while a silent slew lasts. `at` is then when it was computed."""
     read_at: float | None = None
     """Monotonic seconds of the last reading, where `modelled`; None if `at` is that."""
     uncertainty_deg: float | None = None
@@ -279,6 +278,8 @@ class StationState:
     raw_activity: bool = False
     """Whether that activity, if it is unknown, is due to a raw line."""
     holder: str | None = None
+    holder_until: datetime | None = None
+    """When its control ends by itself; None if it lasts until it is given back."""
     held: HeldState | None = None
     held_trouble: str = ""
     """Why HELD, or its release, is not kept for the programs that come after; empty if it is."""
@@ -312,6 +313,8 @@ class StationState:
     """Where `el_min`, `el_max`, `cable_min` and `cable_max` come from."""
     motion_refused_because: str | None = None
     """Why no motion is taken at all (unreadable settings), else None."""
+    not_now: str = ""
+    """Why the dish is not moved unattended, as a sentence of the owner's command; empty while it may be."""
     surveyed: bool = False
     """Whether the dish was asked for its identity, limits and settings since the link came up."""
     tasks: tuple[TaskState, ...] = ()
@@ -328,6 +331,8 @@ class StationState:
     """What a person should know of this program itself, by subject: `birdcage stop` can't reach it, …; sentences."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """By feature (`StationState.dish.features`), and what else a survey told, by its own names."""
+    network: NetworkState | None = None
+    """The server for Hamlib's clients; None if none runs."""
 
     @property
     def awaits_first_move(self) -> bool:
@@ -338,57 +343,3 @@ class StationState:
     def raw_motion(self) -> bool:
         """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
         return self.raw_activity and self.activity is Activity.UNKNOWN
-
-
-class StateChanges(TypedDict, total=False):
-    """What of a `StationState` is replaced: any of its fields."""
-
-    link: LinkState
-    port: str
-    demo: bool
-    dish: Facts | None
-    firmware_version: str | None
-    position: Pointing | None
-    position_lost: Reason | None
-    position_text: str
-    target_az_deg: float | None
-    target_el_deg: float | None
-    target_miss_deg: float
-    target_skew_deg: float | None
-    motion: Motion | None
-    activity: Activity
-    activity_since: float
-    activity_text: str
-    raw_activity: bool
-    holder: str | None
-    held: HeldState | None
-    held_trouble: str
-    fault: Fault | None
-    last_stop: StopReport | None
-    unplanned_stop: StopMeans
-    homed: bool | None
-    search: TvSearch
-    turn: CableTurn
-    menu: str | None
-    az_offset_deg: float
-    el_offset_deg: float
-    alignment: Alignment
-    feed_name: str
-    own: OwnFacts
-    beam: Beam | None
-    stow_allowed: bool
-    el_min_deg: float | None
-    el_max_deg: float | None
-    cable_min_deg: float | None
-    cable_max_deg: float | None
-    no_go_sectors: tuple[NoGoSector, ...]
-    limit_sources: Mapping[str, LimitSource]
-    motion_refused_because: str | None
-    surveyed: bool
-    tasks: tuple[TaskState, ...]
-    kept_task: KeptTask | None
-    pursuit: Pursuit | None
-    speeds_lent: Mapping[int, float]
-    signal_owners: Mapping[str, str]
-    warnings: Mapping[str, str]
-    readings: Mapping[str, Reading]

@@ -12,9 +12,11 @@ from typing import Unpack
 from birdcage.base.clock import Clock
 from birdcage.rotator.feature import Reading, Value
 from birdcage.station.events import Event, ReadingRead
-from birdcage.station.state import StateChanges, StationState
+from birdcage.station.state import StationState
+from birdcage.station.state_changes import StateChanges
 
 Listener = Callable[[Event], None]
+StateWatcher = Callable[[StationState], None]
 
 
 class StateStore:
@@ -23,8 +25,10 @@ class StateStore:
     def __init__(self, clock: Clock, state: StationState) -> None:
         self.clock = clock
         self.state = state
+        """What is known now: immutable. Any thread reads it, the methods below alone replace it."""
         self._lock = threading.Lock()
         self._listeners: tuple[tuple[Listener, tuple[type[Event], ...]], ...] = ()
+        self._watchers: tuple[StateWatcher, ...] = ()
 
     def stamp(self) -> tuple[float, datetime]:
         """Return the monotonic and UTC time of an event that happens now."""
@@ -33,7 +37,12 @@ class StateStore:
     def change(self, **changes: Unpack[StateChanges]) -> None:
         """Replace fields of the state. Any thread."""
         with self._lock:
-            self.state = replace(self.state, **changes)
+            self._replace(replace(self.state, **changes))
+
+    def put(self, state: StationState) -> None:
+        """Replace the whole state. Any thread."""
+        with self._lock:
+            self._replace(state)
 
     def warn(self, subject: str, sentence: str) -> None:
         """Set or drop one of the warnings. Any thread."""
@@ -41,7 +50,7 @@ class StateStore:
             warnings = {name: words for name, words in self.state.warnings.items() if name != subject}
             if sentence:
                 warnings[subject] = sentence
-            self.state = replace(self.state, warnings=MappingProxyType(warnings))
+            self._replace(replace(self.state, warnings=MappingProxyType(warnings)))
 
     def own_signal(self, source: str, holder: str) -> None:
         """Note who owns a signal source; empty: it is free. Any thread."""
@@ -49,7 +58,28 @@ class StateStore:
             owners = {name: owner for name, owner in self.state.signal_owners.items() if name != source}
             if holder:
                 owners[source] = holder
-            self.state = replace(self.state, signal_owners=MappingProxyType(owners))
+            self._replace(replace(self.state, signal_owners=MappingProxyType(owners)))
+
+    def watch(self, watcher: StateWatcher) -> Callable[[], None]:
+        """Call `watcher` with each new state, at once with the present one; the result ends that. Any thread.
+
+        It is called under the store's lock, on the thread that changed the state: note it, and return.
+        """
+        with self._lock:
+            self._watchers += (watcher,)
+            watcher(self.state)
+
+        def end() -> None:
+            with self._lock:
+                self._watchers = tuple(other for other in self._watchers if other is not watcher)
+
+        return end
+
+    def _replace(self, state: StationState) -> None:
+        """With the lock, so that watchers see states in their order."""
+        self.state = state
+        for watcher in self._watchers:
+            watcher(state)
 
     def subscribe(self, listener: Listener, *kinds: type[Event]) -> Callable[[], None]:
         """Tell `listener` the events of these kinds, all by default, on the station's thread. Returns what ends it."""

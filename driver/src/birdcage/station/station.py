@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import threading
-from collections import deque
 from collections.abc import Callable
 from concurrent.futures import Future
 from functools import partial
@@ -20,6 +19,7 @@ from birdcage.base.wake import Wake
 from birdcage.rotator import machines
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.own import laid_by_owner
+from birdcage.station.after_reboot import AfterReboot
 from birdcage.station.applying import Applying
 from birdcage.station.connection import Connection
 from birdcage.station.control import Control
@@ -28,6 +28,8 @@ from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import Event
 from birdcage.station.facts_memory import FactsMemory
+from birdcage.station.inbox import Inbox, WaitingRequest
+from birdcage.station.network_state import NetworkState
 from birdcage.station.parts import Parts
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import MenuCommand, Verdict
@@ -41,12 +43,13 @@ from birdcage.station.saved_speeds import SavedSpeeds
 from birdcage.station.settings import StationSettings
 from birdcage.station.signals import Signals
 from birdcage.station.state import MOVING, LinkPhase, StationState
-from birdcage.station.state_store import Listener, StateStore
+from birdcage.station.state_store import Listener, StateStore, StateWatcher
 from birdcage.station.stop_pending import StopReach
 from birdcage.station.stopper import Stopper
 from birdcage.station.tasks.host import TaskHost
 from birdcage.station.tasks.kept import TaskFile
 from birdcage.station.turn_memory import TurnMemory
+from birdcage.station.unattended import UnattendedGuard
 from birdcage.station.watches import Watches
 
 NO_FLOOR_DEG = -90.0
@@ -89,7 +92,7 @@ class Station:
         )
         self._store = store = StateStore(clock, state)
         self._wake = Wake()
-        self._inbox: deque[tuple[Request, Future[object], int]] = deque()
+        self._inbox = Inbox()
         self._closing = threading.Event()
         self._shutting = False
         """Whether what is said to the dish now is what has to be said before the end."""
@@ -99,17 +102,16 @@ class Station:
         self._mover = mover = DishMover(store, antenna, reader, signals)
         self._stopper = Stopper(store, antenna, control, mover, reader)
         self._watches = Watches()
-        parts = Parts(
-            store, antenna, settings, signals, control, reader, mover, self._stopper, self._watches,
-        )  # fmt: skip
-        FactsMemory(store, antenna, signals, settings.state_folder, settings.identify)
-        self._turns = TurnMemory(
-            store, antenna.gate, signals, settings.firmware, settings.state_folder, settings.identify
-        )  # fmt: skip
+        self._unattended = guard = UnattendedGuard(store, settings.not_now)
+        parts = Parts(store, antenna, settings, signals, control, reader, mover, self._stopper, self._watches, guard)
+        folder, identify = settings.state_folder, settings.identify
+        FactsMemory(store, antenna, signals, folder, identify)
+        self._turns = TurnMemory(store, antenna.gate, signals, settings.firmware, folder, identify)
         applying = Applying(parts, wrong_facts)
         applying.use(settings)
         file = TaskFile(settings.state_folder, settings.port, settings.firmware, settings.tasks)
         self._host = TaskHost(parts, file)
+        self._after_reboot = AfterReboot(parts, self._host)
         if settings.state_folder is not None:
             self._host.speeds.remember(SavedSpeeds(settings.state_folder, settings.port, settings.firmware))
         self._hosted = False
@@ -139,11 +141,12 @@ class Station:
         return self._connection.asked_port
 
     def subscribe(self, listener: Listener, *kinds: type[Event]) -> Callable[[], None]:
-        """Hear the events of these kinds, all by default, on the station's thread: do nothing slow there.
-
-        Returns what ends it.
-        """
+        """Hear these events, all by default, on the station's thread: do nothing slow. Returns what ends it."""
         return self._store.subscribe(listener, *kinds)
+
+    def watch(self, watcher: StateWatcher) -> Callable[[], None]:
+        """Call `watcher` with the present state and each new one (`StateStore.watch`); the result ends that."""
+        return self._store.watch(watcher)
 
     def on_way(self, listener: Callable[[AxisWay], None]) -> None:
         """Tell `listener`, on the station's thread, how far each axis is sent. One listener."""
@@ -153,10 +156,10 @@ class Station:
         """Ask for something. The future holds its result, or a `BirdcageError` that says why not. Any thread."""
         future: Future[object] = Future()
         log_request(request, future)
-        self._inbox.append((request, future, self._stopper.count))
+        self._inbox.append(WaitingRequest(request, future, self._stopper.count))
         self._wake.set()
         if self._closing.is_set():
-            self._drop_inbox()
+            self._inbox.drop()
         return future
 
     def judge(self, line: str) -> Verdict:
@@ -210,6 +213,10 @@ class Station:
         """Show who owns a signal source now: a target, or `monitor`; empty: it is free. Any thread."""
         self._store.own_signal(source, holder)
 
+    def show_network(self, network: NetworkState | None) -> None:
+        """Show the server for network clients, and who they are; None: it has ended. Any thread."""
+        self._store.change(network=network)
+
     @property
     def stop_reach(self) -> StopReach:
         """Whether the last STOP got through to the dish. Any thread."""
@@ -262,7 +269,7 @@ class Station:
     def shut(self) -> None:
         """Stop what moves, answer everybody, give the port back. On the station's thread, after the loop."""
         self._closing.set()
-        self._drop_inbox()
+        self._inbox.drop()
         self._shutting = True
         try:
             self._host.shut()
@@ -291,6 +298,12 @@ class Station:
                 (now if self._host.restore_due else None, self._host.restore),
                 (self._mover.due, self._mover.tick),
             ]
+        ranked.append((self._control.due, self._control.tick))
+        if self.settings.not_now is not None:
+            guard_due = self._unattended.due(now, moves=self._host.moves_unattended)
+            ranked.append((guard_due, self._handler.ask_guard))
+        if self.settings.home_after_reboot:
+            ranked.append((self._after_reboot.due(now), self._after_reboot.tick))
         task, request = (self._host.due(now), self._host.tick), (now if self._inbox else None, self._serve_next)
         ranked += [request, task] if self._hosted else [task, request]
         due, work = math.inf, self._monitor.tick
@@ -384,12 +397,3 @@ class Station:
         self._antenna.moving.is_kept = False
         if self._control.latched:
             raise Stopped("STOP is latched: the motion was not sent.")
-
-    def _drop_inbox(self) -> None:
-        while True:
-            try:
-                _request, future, _stops_seen = self._inbox.popleft()
-            except IndexError:  # empty, perhaps by another thread that drops it too
-                return
-            if future.set_running_or_notify_cancel():
-                future.set_exception(Stopped("The station has ended.", reason=Reason.CLOSING))

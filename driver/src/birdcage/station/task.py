@@ -30,6 +30,8 @@ class Task(ABC):
     goes_on: ClassVar[bool] = True
     """Whether it may go on after somebody else had control, or the link was lost; else it is over then."""
     done_words: ClassVar[str] = "Done."
+    is_unattended: ClassVar[bool] = True
+    """Whether it may go on with no person near: then the owner's command is asked whether the dish may move."""
     gives_back: ClassVar[bool] = True
     """Whether it gives control back at its end; else whoever asked for it keeps control."""
     cut_words: ClassVar[str] = ""

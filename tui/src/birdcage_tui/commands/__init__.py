@@ -10,6 +10,7 @@ from birdcage_tui.commands.control import CONTROL
 from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
 from birdcage_tui.commands.horizon import HORIZON
 from birdcage_tui.commands.jog import JOG
+from birdcage_tui.commands.network import NETWORK
 from birdcage_tui.commands.passes import PASSES
 from birdcage_tui.commands.pocket import POCKET
 from birdcage_tui.commands.resume import RESUME
@@ -20,8 +21,8 @@ from birdcage_tui.commands.track import TRACK
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *PASSES, *POCKET, *CONSOLE, *CALIBRATE, *SETUP, *MOTION, *RESUME,
-    *SEARCH, *APP, *PAGE_COMMANDS,
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *PASSES, *POCKET, *CONSOLE, *CALIBRATE, *SETUP, *MOTION,
+    *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

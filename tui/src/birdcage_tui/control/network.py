@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
+from birdcage.station.network_state import NetworkState
+from birdcage.station.requests import AcquireLease, ReleaseLease
+from birdcage.station.state import StationState
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
+from birdcage_tui.commands.network import TAKE_MIN
+from birdcage_tui.control.clients import ClientsPane, ConnectPane, LinesPane
 from birdcage_tui.control.last import LogPane
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.shown.held_words import after_release
 from birdcage_tui.shown.pursuit import pursuit_of
@@ -41,14 +48,16 @@ SHELL: tuple[Row, ...] = (
     ("birdcage release", "text", "releases it, and names who waits to move it."),
 )
 NOT_DEMO = "They do not reach a demo."
-LATER = "The server for Gpredict and others is not in this version."
+OFF = "off. o serves Gpredict, SatNOGS, SatDump and others."
 
 
 def now_rows(view: View) -> list[Row]:
     """Return who has control, what for, and what holds the dish."""
     state, pursuit = view.state, pursuit_of(view.state)
     holder = state.holder
-    control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else holder
+    control = "free" if holder is None else f"{holder}, at this terminal" if holder == YOU else _named(state, holder)
+    if state.holder_until is not None:
+        control += f", until {state.holder_until:%H:%M:%S}Z"
     found = [("Control", "strong" if holder else "dim", f"{control[:1].upper()}{control[1:]}.")]
     held = state.held
     if held is not None:
@@ -61,8 +70,24 @@ def now_rows(view: View) -> list[Row]:
         found.append(("Following", "text", f"{told}, for {pursuit.holder}."))
         if coming := next_words(view):
             found.append(("", "dim", f"{coming[:1].upper()}{coming[1:]}."))
+    if state.not_now:
+        found.append(("Unattended", "warn", state.not_now))
+    if state.network is not None:
+        found.append(("Server", "text", _served(state.network)))
     found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}"))
     return found
+
+
+def _named(state: StationState, holder: str) -> str:
+    """Return a holder by its program, where it is a client of the server."""
+    clients = () if state.network is None else state.network.clients
+    return next((client.label for client in clients if client.name == holder), holder)
+
+
+def _served(network: NetworkState) -> str:
+    rules = ["read only"] * network.read_only + ["strict"] * network.strict
+    away = f"turned away {network.turned_away}" if network.turned_away else ""
+    return ", ".join(filter(None, (f"on at {network.address}", *rules, away))) + ". o stops it."
 
 
 class ControlPane(Pane):
@@ -74,15 +99,20 @@ class ControlPane(Pane):
         super().__init__(id=id)
         self.border_title = "Who may move the dish"
 
+    def rows(self, view: View, width: int) -> list[Row]:
+        """Return what is now, which is all that there is room for beside a server."""
+        return _lines("", now_rows(view), width)
+
     def draw(self, cells: Cells, view: View) -> None:
         """Write group after group; where they do not all fit without, there is no air between them."""
         shell = (*SHELL, ("", "dim", NOT_DEMO)) if view.state.demo else SHELL
-        groups = (
-            _lines("", now_rows(view), cells.width),
-            _lines("Who may move it", MOVERS, cells.width),
-            _lines("In a shell", shell, cells.width),
-            _lines("", (("rotctld", "dim", LATER),), cells.width),
-        )
+        now = self.rows(view, cells.width)
+        groups: tuple[list[Row], ...] = (now,)
+        if view.state.network is None:
+            groups = (
+                now, _lines("Who may move it", MOVERS, cells.width), _lines("In a shell", shell, cells.width),
+                _lines("", (("Server", "dim", OFF),), cells.width),
+            )  # fmt: skip
         air = sum(map(len, groups)) + len(groups) - 1 <= cells.height
         y = 0
         for lines in groups:
@@ -102,29 +132,52 @@ def _lines(heading: str, rows: Sequence[Row], width: int) -> list[Row]:
     return found
 
 
-class NetworkPane(Horizontal):
-    """Who may move the dish; where there is room, what the commands did, what comes next, and where the dish points."""
+class NetworkPane(Vertical):
+    """Who may move the dish. With a server: who is connected, what one of them says, and how to connect.
+
+    Without one, where there is room: what the commands did, what comes next, and where the dish points.
+    """
 
     HELP = HELP
     DEFAULT_CSS = f"""
-    NetworkPane ControlPane, NetworkPane LogPane, NetworkPane SkyPane {{ border: round $line;
-        border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim; height: 1fr; }}
-    NetworkPane Vertical {{ width: 1fr; }}
-    NetworkPane ControlPane {{ padding: 1 0 0 0; }}
+    NetworkPane Pane {{ border: round $line; border-title-color: $dim; border-title-style: none;
+        border-subtitle-color: $dim; }}
+    NetworkPane #network-upper {{ height: 1fr; }}
+    NetworkPane #network-words {{ width: 1fr; }}
+    NetworkPane ControlPane {{ padding: 1 0 0 0; height: 1fr; }}
     NetworkPane LogPane {{ width: 1fr; display: none; }}
-    NetworkPane SkyPane {{ display: none; }}
+    NetworkPane SkyPane {{ display: none; height: 1fr; }}
     NetworkPane.-beside LogPane {{ display: block; width: {LOG}; }}
     NetworkPane.-far LogPane {{ width: 1fr; }}
     NetworkPane.-over ControlPane {{ height: {OVER}; }}
     NetworkPane.-over SkyPane {{ display: block; }}
+    NetworkPane ClientsPane, NetworkPane #network-lower {{ display: none; }}
+    NetworkPane.-serving #network-upper {{ height: auto; }}
+    NetworkPane.-serving #network-words {{ height: auto; }}
+    NetworkPane.-serving ControlPane {{ padding: 0; }}
+    NetworkPane.-serving LogPane, NetworkPane.-serving SkyPane {{ display: none; }}
+    NetworkPane.-serving ClientsPane, NetworkPane.-serving #network-lower {{ display: block; height: 1fr; }}
+    NetworkPane LinesPane, NetworkPane #network-right {{ width: 1fr; height: 1fr; }}
+    NetworkPane ConnectPane {{ height: 1fr; }}
+    NetworkPane #network-right {{ display: none; }}
+    NetworkPane.-beside #network-right {{ display: block; }}
+    NetworkPane.-over ConnectPane {{ height: 8; }}
+    NetworkPane.-serving.-over #network-sky {{ display: block; }}
     """
 
     def compose(self) -> ComposeResult:
-        """All three."""
-        with Vertical():
-            yield ControlPane()
-            yield SkyPane()
-        yield LogPane()
+        """All parts; which of them are seen depends on whether a server runs, and on the room."""
+        with Horizontal(id="network-upper"):
+            with Vertical(id="network-words"):
+                yield ControlPane()
+                yield SkyPane()
+            yield LogPane()
+        yield ClientsPane()
+        with Horizontal(id="network-lower"):
+            yield LinesPane()
+            with Vertical(id="network-right"):
+                yield ConnectPane()
+                yield SkyPane(id="network-sky")
 
     def on_resize(self) -> None:
         """Show what has room."""
@@ -134,6 +187,47 @@ class NetworkPane(Horizontal):
 
     def show(self, view: View) -> None:
         """Draw what is seen."""
+        network = view.state.network
+        self.set_class(network is not None, "-serving")
+        clients, lines = self.query_one(ClientsPane), self.query_one(LinesPane)
+        if network is not None:
+            words = self.query_one(ControlPane)
+            words.styles.height = 2 + len(words.rows(view, max(self.size.width - 2, 20)))
+            room = len(network.clients) + 3
+            clients.styles.height = min(max(room, 4), max(self.size.height // 3, 4))
+            lines.client = clients.client(network)
+            said = "" if lines.client is None else f" of {lines.client.label}"
+            lines.border_title = f"Lines{said}"
+        else:
+            self.query_one(ControlPane).styles.height = None
         for pane in self.query(Pane):
             if pane.display:
                 pane.show(view)
+
+    @property
+    def _app(self) -> AppHost:
+        return cast(AppHost, self.app)
+
+    def do(self, command: str) -> bool:
+        """Carry out a command of this tab."""
+        host, clients = self._app, self.query_one(ClientsPane)
+        state = host.view().state
+        match command:
+            case "network-serve":
+                host.say("No server can be run here." if host.network is None else host.network.switch())
+            case "network-take":
+                host.ask(AcquireLease(YOU, take_over=True, for_s=TAKE_MIN * 60.0))
+                host.say(f"You have control for {TAKE_MIN} minutes.")
+            case "network-give":
+                host.ask(ReleaseLease(YOU))
+            case "network-up" | "network-down":
+                clients.move(state.network, 1 if command == "network-down" else -1)
+            case "network-hang-up":
+                chosen = clients.client(state.network)
+                if chosen is not None and host.network is not None:
+                    host.network.hang_up(chosen.number)
+                    host.say(f"Hung up on {chosen.label}. It may connect again.")
+            case _:
+                return False
+        host.paint()
+        return True

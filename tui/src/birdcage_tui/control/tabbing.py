@@ -93,6 +93,15 @@ class Tabbed(Page):
         body = self.body
         return isinstance(body, CraftTab) and body.do(command)
 
+    def do_on_network(self, command: str) -> bool:
+        """Carry out a command of the tab Network; once that is mounted, if it is not."""
+        from birdcage_tui.control.network import NetworkPane
+
+        body = self.body
+        if body is None:
+            return self.call_after_refresh(self.do_on_network, command)
+        return isinstance(body, NetworkPane) and body.do(command)
+
     def show_body(self, view: View) -> bool:
         """Draw the tabs, and a tab that was made later; return whether that is the one that is seen."""
         self.query_one(TabRow).show(view)

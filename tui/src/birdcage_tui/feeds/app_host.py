@@ -9,6 +9,7 @@ from birdcage.station.requests import Request
 
 from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
 from birdcage_tui.feeds.horizon_book import HorizonBook
+from birdcage_tui.feeds.network_source import NetworkSource
 from birdcage_tui.feeds.preset_book import PresetBook
 from birdcage_tui.feeds.sky_feed import SkyFeed
 from birdcage_tui.feeds.track_feed import TrackFeed
@@ -28,6 +29,8 @@ class AppHost(Protocol):
     """The pursuit desk, and what it has told."""
     calibrate: CalibrateFeed
     """The guide of the calibration, and what it has told."""
+    network: NetworkSource | None
+    """Runs the server for other programs; None: it can't be run here."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
 

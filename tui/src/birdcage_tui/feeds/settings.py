@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.feeds.calibrate_feed import MakeCalibrate
+    from birdcage_tui.feeds.network_source import NetworkSource
     from birdcage_tui.feeds.ready_watch import ReadySource
     from birdcage_tui.feeds.setup_engine import SetupEngine
     from birdcage_tui.feeds.signal_feed import SignalSources
@@ -71,6 +72,8 @@ class AppOptions:
     """Makes the pursuit desk, after the first frame; None: there is none."""
     signal: SignalSources | None = field(default=None, compare=False)
     """The sources of the signal; None: the dish's own tuner alone."""
+    network: NetworkSource | None = field(default=None, compare=False)
+    """Runs the server for other programs; None: it can't be run here."""
     calibrate: MakeCalibrate | None = field(default=None, compare=False)
     """Makes the guide of the calibration when its tab is first visited; None: there is none."""
     horizon: HorizonFile | None = field(default=None, compare=False)

@@ -13,8 +13,9 @@ from typing import TYPE_CHECKING
 
 from birdcage.pursuit.now import NO_PLACE
 from birdcage.pursuit.orders import PursuitOrders
-from birdcage.station.events import Event, Followed, PursuitChanged
+from birdcage.station.events import Event, Followed, PursuitChanged, TaskChanged
 from birdcage.station.pursuit_state import Phase, PointingSample
+from birdcage.station.task_state import TaskPhase
 
 from birdcage_tui.shown.unready import NO_LOCATION
 
@@ -106,6 +107,9 @@ class TrackFeed:
             if event.pursuit.phase is Phase.COUNTDOWN and self._phase is not Phase.COUNTDOWN:
                 self._bell()
             self._phase = event.pursuit.phase
+        elif isinstance(event, TaskChanged):
+            if event.task.phase is TaskPhase.COUNTDOWN and event.task.kind != "pursuit":
+                self._bell()
         elif isinstance(event, Followed):
             self._begun(event.number)
             self.looks.append(event.sample)

@@ -142,6 +142,8 @@ class ControlPage(Tabbed):
             return True
         if tab == "craft":
             return self.do_on_craft(command)
+        if tab == "network":
+            return self.do_on_network(command)
         if command.startswith("digit-"):
             return self.query_one(DigitsPane).do(command)
         if command.startswith("preset"):
@@ -274,6 +276,8 @@ def tab_for(command: str, now: str) -> str:
         return command.removeprefix("tab-")
     if command in ("open-craft", "open-offer") or command.startswith(("track-", "offer-")):
         return "craft"
+    if command.startswith("network-"):
+        return "network"
     if command.startswith("preset"):
         return now if now in ("manual", "presets") else "presets"
     return "manual"

@@ -80,7 +80,7 @@ class BirdcageApp(App[None]):
     def __init__(self, session: Session, settings: AppOptions | None = None) -> None:
         super().__init__()
         self.settings = settings or AppOptions()
-        self.session, self.station = session, session.station
+        self.session, self.station, self.network = session, session.station, self.settings.network
         self._appearance = Appearance(self, self.settings.theme, self.settings.glyphs)
         self.frames = FramePacer(self, self.paint, 1.0 / self.settings.update_hz)
         self.stage = PageStage(self, self)

@@ -6,6 +6,7 @@ from birdcage.base.config import feed_label
 from birdcage.base.reason import Reason
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, LinkPhase, Pointing, TvSearch
+from birdcage.station.task_state import TaskPhase
 
 from birdcage_tui.shown.held_words import enter_words, held_words
 from birdcage_tui.shown.pursuit import told_before_following
@@ -155,6 +156,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if view.crash:
         words = f"✖ BIRDCAGE FAILED  {view.crash}  The values are old. birdcage sends nothing more to the dish."
         return "fault-row", f"{words} Press Ctrl+Q and start again. In an emergency use the {power_switch(view)}."
+    if (about_to := countdown_of_task(view)) is not None:
+        return "warn-row", about_to
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.utc:%H:%M:%S}  {_stopped(fault.what)} {fault.meaning} {fault.remedy}"
@@ -194,6 +197,21 @@ def bad_day(view: View) -> tuple[str, str] | None:
     return None
 
 
+TASKS = {"recovery": "HOMES after its restart", "park": "PARKS: no program has asked for a motion lately",
+         "shelter": "PARKS"}  # fmt: skip
+"""What the dish is about to do for a task that counts down, by its kind."""
+
+
+def countdown_of_task(view: View) -> str | None:
+    """Return what is about to move by itself, and what stops it; None unless a task counts down. Pursuits tell more."""
+    task = next((each for each in view.state.tasks if each.phase is TaskPhase.COUNTDOWN), None)
+    if task is None or task.kind == "pursuit" or task.next_at is None:
+        return None
+    left_s = max((task.next_at - view.utc).total_seconds(), 0.0)
+    why = f"   {view.state.not_now}" if task.kind == "shelter" else ""
+    return f"▲ {TASKS.get(task.kind, f'MOVES for the {task.kind}')} in {left_s:.0f} s{why}   Space cancels"
+
+
 def _last_seen(view: View) -> str:
     position = view.state.position
     if position is None:
@@ -222,8 +240,8 @@ def calm(view: View, *, brief: bool = False) -> str:
         return f"{detail[:1].upper()}{detail[1:]} …"
     # The page's own last row tells it there.
     told = "" if "control" in view.scopes or told_before_following(view) else view.note
-    unreached = view.state.warnings.get("outside", "")
-    said = view.state.held_trouble or told or view.settings.notice or (f"▲ {unreached}" if unreached else "")
+    later = view.state.not_now or view.state.warnings.get("outside", "")
+    said = view.state.held_trouble or told or view.settings.notice or (f"▲ {later}" if later else "")
     return said or _standing(view, brief=brief)
 
 

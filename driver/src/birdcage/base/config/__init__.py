@@ -3,6 +3,7 @@
 from birdcage.base.config.edit import edit
 from birdcage.base.config.feeds import STOCK_FEED, FeedProfile, FeedSettings, feed_label
 from birdcage.base.config.load import load
+from birdcage.base.config.network_sections import RotctldSettings
 from birdcage.base.config.progress import KeptStep, SetupSettings
 from birdcage.base.config.schema import KeyRow, rows
 from birdcage.base.config.sections import (
@@ -38,6 +39,7 @@ __all__ = [
     "PlaceSettings",
     "Problem",
     "RadioSettings",
+    "RotctldSettings",
     "Settings",
     "SetupSettings",
     "TrackingSettings",

@@ -11,6 +11,7 @@ from typing import Any, Literal
 from birdcage.base.config.fact_sections import FACT_SECTIONS
 from birdcage.base.config.feeds import FeedProfile, FeedSettings
 from birdcage.base.config.field import Declared, Section
+from birdcage.base.config.network_sections import RotctldSettings
 from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.sections import (
     AlignmentSettings,
@@ -21,6 +22,7 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.no_go import NoGoSector
 
@@ -37,7 +39,9 @@ SECTIONS: tuple[type[Section], ...] = (
     TrackingSettings,
     AutotrackSettings,
     HookSettings,
+    StationSection,
     RadioSettings,
+    RotctldSettings,
     AppSettings,
     SetupSettings,
 )

@@ -11,6 +11,7 @@ from typing import Literal
 from birdcage.base.config.fact_sections import FACT_SECTIONS
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
+from birdcage.base.config.network_sections import RotctldSettings
 from birdcage.base.config.progress import SetupSettings
 from birdcage.base.config.sections import (
     AlignmentSettings,
@@ -21,6 +22,7 @@ from birdcage.base.config.sections import (
     PlaceSettings,
 )
 from birdcage.base.config.sky_sections import ElementsSettings
+from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.text import clean
 
@@ -69,7 +71,9 @@ class Settings:
     tracking: TrackingSettings = field(default_factory=TrackingSettings)
     autotrack: AutotrackSettings = field(default_factory=AutotrackSettings)
     hooks: HookSettings = field(default_factory=HookSettings)
+    station: StationSection = field(default_factory=StationSection)
     radio: RadioSettings = field(default_factory=RadioSettings)
+    rotctld: RotctldSettings = field(default_factory=RotctldSettings)
     app: AppSettings = field(default_factory=AppSettings)
     setup: SetupSettings = field(default_factory=SetupSettings)
     problems: tuple[Problem, ...] = ()

@@ -69,7 +69,7 @@ class AutotrackSettings(Section):
 
 @dataclass(frozen=True, slots=True)
 class HookSettings(Section):
-    """`[hooks]`: command lines that run at moments of a pass, with what there is to know in their environment."""
+    """`[hooks]`: command lines that run at moments of a pass, or when something happens, with what there is to know."""
 
     section: ClassVar[str] = "hooks"
 
@@ -78,6 +78,10 @@ class HookSettings(Section):
     )
     at_tca: str | None = setting(None, "Run when it is highest.")
     at_reach_end: str | None = setting(None, "Run when it goes out of reach.")
+    on_event: str | None = setting(
+        None,
+        "Run on a fault, a link lost or back, HELD or released, the end of a pass or a scan: `docs/unattended.md`.",
+    )
     pre_s: float = setting(0.0, "How much earlier the first one runs.", minimum=0.0, maximum=600.0)
     post_s: float = setting(0.0, "How much later the last one runs.", minimum=0.0, maximum=600.0)
     deadline_s: float = setting(

@@ -24,10 +24,11 @@ HOLDER = "birdcage home"
 def command(axis: str | None, yes: bool) -> None:
     """Home one axis or both: run into the end stops to find the reference.
 
-    No command stops homing. Only cutting its power does.
+    No command stops homing. Only cutting its power does. If another birdcage program has the port, that one homes it.
     """
     from birdcage.base.errors import PositionUnknown
-    from birdcage.cli.dish import open_dish
+    from birdcage.cli.attached_command import reach_dish
+    from birdcage.cli.owners import owners_of
     from birdcage.cli.say import position_lines, position_values, say, tell, tell_json
     from birdcage.cli.which import with_firmware
     from birdcage.station.events import ActivityChanged
@@ -35,15 +36,17 @@ def command(axis: str | None, yes: bool) -> None:
     from birdcage.station.state import Activity
     from birdcage.station.stop_words import stop_line
 
-    dish_wanted = with_firmware(wanted())
-    _refuse_if_by_itself(dish_wanted)
+    dish_wanted = wanted()
+    if not (dish_wanted.port_given and owners_of(dish_wanted)):  # else its program knows what answers there
+        dish_wanted = with_firmware(dish_wanted)
+        _refuse_if_by_itself(dish_wanted)
     _confirm(axis, yes)
 
     def hear(event: Event) -> None:
         if isinstance(event, ActivityChanged) and event.activity is Activity.HOMING:
             say(f"Homing the {event.text}. {stop_line(dish.state, dish.now)}")
 
-    with open_dish(dish_wanted, moves=True) as dish:
+    with reach_dish(dish_wanted, HOLDER, moves=True) as dish:
         model = dish.come_up(15.0).dish
         assert model is not None, "a station knows its dish from the start"
         axes = {None: (), "az": (model.azimuth.index,), "el": (model.elevation.index,)}[axis]

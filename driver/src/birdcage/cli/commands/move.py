@@ -15,7 +15,7 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, elements_option, no_optio
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from birdcage.cli.dish import DishSession
+    from birdcage.cli.station_command import StationCommand
     from birdcage.station.events import Event
     from birdcage.station.requests import Goto
 
@@ -43,9 +43,9 @@ def command(
 
     TARGET is named as for `birdcage where`: 180 45, moon, 28.2E, dish 119, iss. The dish goes there once and stays:
     `birdcage track TARGET --engage` follows. For a target refraction is added, as `tracking.refraction` sets it; for
-    angles that you give it is not.
+    angles that you give it is not. If another birdcage program has the port, that one moves the dish.
     """
-    from birdcage.cli.dish import open_dish
+    from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.say import position_lines, position_values, say, tell, tell_json
     from birdcage.station.requests import Goto
     from birdcage.station.state import Pointing
@@ -53,7 +53,7 @@ def command(
     no_options_among(target)
     wants = wanted()
     az_deg, el_deg = _direction(target, az_deg, el_deg, wants, elements)
-    with open_dish(wants, moves=True) as dish:
+    with reach_dish(wants, HOLDER, moves=True) as dish:
         dish.come_up(15.0)
         if leapfrog:
             az_deg, el_deg = _beyond(dish, az_deg, el_deg)
@@ -122,7 +122,7 @@ def _direction(
     return seen.az_deg, el_deg
 
 
-def _beyond(dish: DishSession, az_deg: float, el_deg: float) -> tuple[float, float]:
+def _beyond(dish: StationCommand, az_deg: float, el_deg: float) -> tuple[float, float]:
     """Apply the fixed overshoot of `birdcage.leapfrog` against the position that was just read."""
     from birdcage.base.errors import PositionUnknown
     from birdcage.cli.dish import how_to_home
@@ -138,7 +138,7 @@ def _beyond(dish: DishSession, az_deg: float, el_deg: float) -> tuple[float, flo
     return beyond
 
 
-def _begin(dish: DishSession, request: Goto, timeout_s: float) -> None:
+def _begin(dish: StationCommand, request: Goto, timeout_s: float) -> None:
     """Wait until the dish has taken the target, and leave it moving."""
     from birdcage.cli.say import say
     from birdcage.rotator.ladder import StopMeans
@@ -165,7 +165,7 @@ def _begin(dish: DishSession, request: Goto, timeout_s: float) -> None:
 class MoveShown:
     """Shows how far it is on a terminal."""
 
-    def __init__(self, dish: DishSession) -> None:
+    def __init__(self, dish: StationCommand) -> None:
         self._progress = dish.progress
 
     def __call__(self, event: Event) -> None:

@@ -95,6 +95,10 @@ def _shown(value: object) -> str:
         return "-"
     if isinstance(value, bool):
         return "yes" if value else "no"
+    if isinstance(value, list):
+        return " ".join(map(str, value)) or "-"
+    if isinstance(value, dict) and "clients" in value:
+        return "; ".join([f"listens on {value['address']}", *map(_of_network, value["clients"])])
     if isinstance(value, dict):
         return str(value["sentence"]) if "sentence" in value else "; ".join(map(_worn, value, value.values()))
     return str(value)
@@ -102,3 +106,10 @@ def _shown(value: object) -> str:
 
 def _worn(axis: str, wear: dict[str, Any]) -> str:
     return f"{axis} {wear['degrees']:.0f}°, moves {wear['moves']}, reversals {wear['reversals']}"
+
+
+def _of_network(client: dict[str, Any]) -> str:
+    """Return a network client in words: `Gpredict (rotctld 1) 127.0.0.1:51234 has control`."""
+    name = f"{client['program']} ({client['name']})" if client["program"] else client["name"]
+    does = {"control": "has control", "ignored": "is ignored", "watches": "watches"}[client["role"]]
+    return f"{name} {client['address']} {does}"

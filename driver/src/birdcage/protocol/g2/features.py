@@ -19,6 +19,7 @@ from birdcage.protocol.motors import AZIMUTH, ELEVATION, MOTORS, by_name
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, row_label
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
+    ENABLE_LNA,
     RSSI,
     SETTINGS,
     TV_SEARCH,
@@ -71,6 +72,12 @@ def angle_of(row: NvsRow) -> float:
 def speeds_of(speeds: Mapping[int, float]) -> dict[str, Value]:
     """Return the greatest speeds as features, from those by motor."""
     return per_axis("speed", by_name(speeds))
+
+
+def supplied(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    """Feed the LNB with 13 V."""
+    dish.enable_lna()
+    return {ENABLE_LNA: True}
 
 
 def tv_search_of(row: NvsRow) -> dict[str, Value]:
@@ -145,8 +152,18 @@ _TV_SEARCH = FeatureRow(
     lambda dish: tv_search_of(dish.read_nvs(DISABLE_TRACKER)),
     lambda dish, on: tv_search_of(dish.save_search(disabled=not on)),
 )  # fmt: skip
+_LNA = FeatureRow(
+    Feature(
+        ENABLE_LNA, "Supply of 13 V for the LNB", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE,
+        hazard="This switches the LNB supply from 18 V to 13 V: the polarisation changes. Anything else on that cable "
+        "may be damaged.", cost=Cost(1, "dvb"),
+    ),
+    write=lambda dish, _value: supplied(dish),
+)  # fmt: skip
 _SIGNAL = (
-    _one(Cost(1, "dvb"), lambda dish: float(dish.get_rssi(RSSI_READS).average), _counts(RSSI, "Signal strength")),
+    _LNA,
+    _one(Cost(1, "dvb"), lambda dish: float(dish.get_rssi(RSSI_READS).average),
+         replace(_counts(RSSI, "Signal strength"), samples=RSSI_READS)),
     _one(_STREAM, lambda dish: dish.tuner.snr_db(), Feature("snr", "Signal-to-noise ratio", "dB")),
     _one(_STREAM, lambda dish: dish.tuner.lnb_volts(),
          Feature("lnb_supply", "Supply of the LNB", "V", range=Range(0.0, 30.0), health=HealthMark("LNB"))),

@@ -76,6 +76,7 @@ TRAVLER = Facts(
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
     features=FEATURES.features,
     settings_name="nvs",
+    rotctld_name="Winegard Trav'ler RS-485 Rotor",
     connectors=(plugs.TRAVLER,),
     kin_connectors=(plugs.TRAVLER_PRO,),
     adapters=(plugs.DTECH,),
@@ -85,7 +86,7 @@ TRAVLER = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.step_deg
             elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
             cable.min_deg cable.max_deg second_same second_other stop_ladder
-            has_stow readback settings_name cable_known moves_one_axis sends_together never_homes
+            has_stow readback settings_name rotctld_name cable_known moves_one_axis sends_together never_homes
             reflector.width_m reflector.height_m
         """,
         measured="azimuth.times elevation.times",

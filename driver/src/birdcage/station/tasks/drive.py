@@ -26,6 +26,7 @@ class DriveTask(Task):
 
     kind = "drive"
     goes_on = False
+    is_unattended = False
     gives_back = False
     done_words = "No longer held."
 

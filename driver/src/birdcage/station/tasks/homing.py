@@ -15,6 +15,7 @@ class HomingTask(ItemTask[int]):
 
     kind = "homing"
     goes_on = False
+    is_unattended = False
     gives_back = False
     cut_words = "No other axis is homed."
     holder: str

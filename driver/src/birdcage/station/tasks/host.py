@@ -130,6 +130,12 @@ class TaskHost:
             elif about_to and self._store.state.holder not in (None, run.task.holder):
                 run.give_way(words.yielded(holder))
 
+    @property
+    def moves_unattended(self) -> bool:
+        """Whether a task moves the dish, or is about to, that may do so with no person near."""
+        return any(run.task.is_unattended and (run.leads or run.state.phase is TaskPhase.COUNTDOWN)
+                   for run in self._runs)  # fmt: skip
+
     # The station's loop
 
     def due(self, now: float) -> float | None:

@@ -48,6 +48,10 @@ class TaskRun:
         self._counted = True
         """Whether that countdown is over, or none was needed."""
         self._poll_at = 0.0
+        self._asks = False
+        """Whether it waits for the owner's command to say that the dish may move."""
+        self._objected = False
+        """Whether that has said *not now*, and the task goes on when it no longer does."""
         self._streamed = False
         at = self._store.clock.monotonic()
         self.state = TaskState(number, task.kind, task.holder, TaskPhase.WAITING, at, "")
@@ -71,7 +75,7 @@ class TaskRun:
 
     def due(self, now: float) -> float | None:
         """Return when there is something to do: `now` (monotonic) for at once; None while it waits for the mover."""
-        if self._is_robbed() or (self.state.phase is TaskPhase.YIELDED and self._is_free()):
+        if self._is_robbed() or self._is_objected() or (self.state.phase is TaskPhase.YIELDED and self._is_free()):
             return now
         if self._steps is None:
             return self._poll_at
@@ -80,7 +84,8 @@ class TaskRun:
         if not self._counted and self._runner.moves:
             clock = self._store.clock
             return now + max(0.0, self._moves_at_s - self._runner.now_s) / clock.rate
-        return self._runner.due(now)
+        due = self._runner.due(now)
+        return max(due, self._poll_at) if self._asks and due is not None else due
 
     def tick(self) -> None:
         """Go on, as far as one exchange."""
@@ -91,6 +96,8 @@ class TaskRun:
             self._see_whether_to_go_on()
         elif self._is_robbed():
             self._yield()
+        elif self._is_objected():
+            self._object()
         else:
             self._go_on()
 
@@ -129,6 +136,7 @@ class TaskRun:
 
     def set_out(self, *, asked: bool) -> None:
         """Begin, or go on: `asked` if a person has just asked for that."""
+        self._objected = False
         self.leads, self._counted = False, asked or not self.task.counts_down
         self._runner.begin()
         self._steps = self.task.steps(self._runner.now_s, asked=asked)
@@ -204,6 +212,11 @@ class TaskRun:
             self._yield()
             return False
         if self._runner.moves:
+            self._asks = self.task.is_unattended and not self._parts.guard.allows()
+            if self._asks:
+                if self._parts.guard.objection:
+                    self._object()
+                return False
             try:
                 self._control.admit(self.task.holder)
             except (Held, MotionRefused) as refused:
@@ -255,6 +268,18 @@ class TaskRun:
         if come_to_rest:
             self.come_to_rest()
 
+    def _is_objected(self) -> bool:
+        """Return whether the owner's command has said *not now* while the task moves the dish, or is about to."""
+        about_to = self.leads or (self._steps is not None and self.state.phase is TaskPhase.COUNTDOWN)
+        return about_to and self.task.is_unattended and bool(self._parts.guard.objection)
+
+    def _object(self) -> None:
+        """Leave the dish alone until the command no longer objects."""
+        moves, self._objected, self._asks = self.leads, True, False
+        self.give_way(self._parts.guard.objection, come_to_rest=moves)
+        if self.task.gives_back:
+            self._control.give_back(self.task.holder)
+
     def _is_robbed(self) -> bool:
         """Return whether somebody else has control of a dish that the task moves, or is about to."""
         about_to = self.leads or (self._steps is not None and self.state.phase is TaskPhase.COUNTDOWN)
@@ -263,7 +288,9 @@ class TaskRun:
     def _is_free(self) -> bool:
         state = self._store.state
         mine = state.holder in (None, self.task.holder)
-        return mine and state.link.state is LinkPhase.UP and not self._control.latched
+        if not mine or state.link.state is not LinkPhase.UP or self._control.latched:
+            return False
+        return not self._objected or self._parts.guard.allows()
 
     # What is told, and how it ends
 

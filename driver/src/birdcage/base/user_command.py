@@ -5,12 +5,11 @@ from __future__ import annotations
 import os
 import shlex
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import IO
 
 from birdcage.base.clock import RealClock
-from birdcage.pursuit.pass_facts import Event, PassFacts
-from birdcage.pursuit.process_group import ProcessGroup
+from birdcage.base.process_group import ProcessGroup
 
 GRACE_S = 5.0
 """Between being asked to end and being killed."""
@@ -22,25 +21,31 @@ LINE_BYTES = 1000
 """What is kept of the output; what comes after is read, so that the command is not held up, and dropped."""
 
 WALL = RealClock()
-"""Commands run in real time, whatever the clock of the pass does."""
+"""Commands run in real time, whatever the clock of the station does."""
 
 Say = Callable[[str], None]
 
 
-class HookRun:
-    """Starts at once; `say` gets each line of its output and how it ended, on a thread of the run's."""
+class UserCommand:
+    """Starts at once; `say` gets each line of its output and how it ended, on a thread of the command's.
+
+    It has `environment` beside the program's own, and `told` on stdin.
+    """
 
     def __init__(
-        self, event: Event, command: str, facts: PassFacts, say: Say, *, deadline_s: float, grace_s: float = GRACE_S
-    ) -> None:
+        self, command: str, environment: Mapping[str, str], told: str, say: Say, *, deadline_s: float,
+        grace_s: float = GRACE_S,
+    ) -> None:  # fmt: skip
         self._say, self._deadline_s, self._grace_s = say, deadline_s, grace_s
         self._ending = threading.Event()
         self._lines = 0
+        self.first_line = ""
+        """What it has printed first, cleaned; empty if it has printed nothing."""
         self._what = command.strip() or "(empty)"
-        self._group = self._begin(event, command, facts)
+        self._group = self._begin(command, environment)
         self._threads: list[threading.Thread] = []
         if self._group is not None:
-            self._start(self._tell, self._group.child.stdin, facts.json_line(event).encode())
+            self._start(self._tell, self._group.child.stdin, told.encode())
             self._reading = self._start(self._read, self._group.child.stdout)
             self._start(self._watch, self._group)
 
@@ -48,6 +53,11 @@ class HookRun:
     def over(self) -> bool:
         """Whether it has ended, with all that it started."""
         return not any(each.is_alive() for each in self._threads)
+
+    @property
+    def status(self) -> int | None:
+        """Its exit status, negative for a signal; None while it runs, and if it could not be started."""
+        return None if self._group is None else self._group.child.poll()
 
     def end(self) -> None:
         """Ask it to end, and have it killed when the grace is over. Does not wait."""
@@ -67,7 +77,7 @@ class HookRun:
             each.join(max(until - _now(), 0.0))
         return self.over
 
-    def _begin(self, event: Event, command: str, facts: PassFacts) -> ProcessGroup | None:
+    def _begin(self, command: str, environment: Mapping[str, str]) -> ProcessGroup | None:
         try:
             words = shlex.split(command)
         except ValueError as error:
@@ -77,7 +87,7 @@ class HookRun:
             self._say(f"{self._what}: not started, it is empty.")
             return None
         try:
-            group = ProcessGroup(words, {**os.environ, **facts.environment(event)})
+            group = ProcessGroup(words, {**os.environ, **environment})
         except (OSError, ValueError) as error:
             why = getattr(error, "strerror", None) or str(error)
             self._say(f"{self._what}: not started, {words[0]}: {why}.")
@@ -86,7 +96,7 @@ class HookRun:
         return group
 
     def _start(self, work: Callable[..., None], *given: object) -> threading.Thread:
-        thread = threading.Thread(target=work, args=given, name="hook", daemon=True)
+        thread = threading.Thread(target=work, args=given, name="user command", daemon=True)
         self._threads.append(thread)
         thread.start()
         return thread
@@ -104,8 +114,10 @@ class HookRun:
             for raw in iter(lambda: pipe.readline(LINE_BYTES), b""):
                 self._lines += 1
                 if self._lines <= LINES:
-                    text = raw.decode("utf-8", "replace").rstrip("\r\n").expandtabs()
-                    self._say("".join(each if each.isprintable() else "?" for each in text))
+                    decoded = raw.decode("utf-8", "replace").rstrip("\r\n").expandtabs()
+                    text = "".join(each if each.isprintable() else "?" for each in decoded)
+                    self.first_line = self.first_line or text
+                    self._say(text)
                 elif self._lines == LINES + 1:
                     self._say(f"{self._what}: prints more than {LINES} lines; the rest is dropped.")
 

@@ -1,0 +1,103 @@
+"""Hamlib's own `rotctl -m 2` against the server, on threads and a real clock."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import time
+
+import pytest
+from birdcage.base.clock import RealClock
+from birdcage.base.config import RotctldSettings, load
+from birdcage.base.paths import Paths
+from birdcage.rotctld.listening import listen
+from birdcage.rotctld.options import RotctldOptions
+from birdcage.rotctld.server import RotctldService
+from birdcage.station.build import open_session
+from birdcage.station.requests import Goto
+from birdcage.station.state import Activity
+
+pytestmark = pytest.mark.skipif(shutil.which("rotctl") is None, reason="Hamlib's rotctl is not installed")
+
+
+class Served:
+    """A simulated G2 behind a server."""
+
+    def __init__(self):
+        self.session = open_session(
+            port="sim:g2?seed=1", firmware="g2", baud=None, settings=load(None), paths=Paths.default(),
+            clock=RealClock(), survey=False,
+        )  # fmt: skip
+        self.session.start()
+        self.service = RotctldService(
+            self.session.station, listen("127.0.0.1", 0), RotctldSettings(), RotctldOptions(park=(180.0, 40.0))
+        )
+        self.service.start()
+        self.wait_for(lambda state: state.position is not None)
+
+    @property
+    def state(self):
+        return self.session.station.state
+
+    def wait_for(self, good, within_s=30.0):
+        end = time.monotonic() + within_s
+        while not good(self.state):
+            assert time.monotonic() < end, self.state
+            time.sleep(0.02)
+
+    def wait_at(self, az_deg, el_deg):
+        self.wait_for(
+            lambda state: (
+                state.activity is Activity.IDLE
+                and (state.position.az_deg, state.position.el_deg) == pytest.approx((az_deg, el_deg), abs=0.1)
+            )
+        )
+
+    def rotctl(self, *words, typed=None):
+        """Run one command, or what is typed at its prompt; return what it prints."""
+        command = ["rotctl", "-m", "2", "-r", f"127.0.0.1:{self.service.address[1]}", *words]
+        return subprocess.run(command, capture_output=True, text=True, timeout=30, check=False, input=typed).stdout
+
+
+@pytest.fixture
+def served():
+    served = Served()
+    yield served
+    served.service.shutdown()
+    served.session.close()
+
+
+def test_it_points_the_dish_and_reads_where_it_is(served):
+    assert served.rotctl("P", "20", "45") == ""
+    served.wait_at(20.0, 45.0)
+    assert [float(each) for each in served.rotctl("p").split()] == pytest.approx([20.0, 45.0], abs=0.1)
+    assert served.rotctl("_").strip() == "Carryout G2"
+
+
+def test_it_parks_drives_and_stops(served):
+    assert served.rotctl("K") == ""
+    served.wait_at(180.0, 40.0)
+    served.wait_for(lambda state: state.holder is None)  # the one that parked it has left
+    interactive = served.rotctl(typed="M 8 50\nq\n")  # left: counter-clockwise
+    assert "error" not in interactive
+    served.wait_for(lambda state: state.position.az_deg < 179.0)
+    served.wait_for(lambda state: state.holder is None)
+    interactive = served.rotctl(typed="P 300 40\nS\nq\n")
+    assert "error" not in interactive
+    served.wait_for(lambda state: state.activity is Activity.IDLE)
+    assert not 290.0 < served.state.position.az_deg < 310.0
+    assert served.state.held is None
+
+
+def test_its_own_stop_does_not_end_what_somebody_else_moves(served):
+    future = served.session.station.submit(Goto(120.0, 40.0, "you"))
+    served.wait_for(lambda state: state.motion is not None)
+    assert served.rotctl("S") == ""
+    assert future.result(30.0).az_deg == pytest.approx(120.0, abs=0.1)
+
+
+def test_an_interactive_session_of_many_commands(served):
+    said = served.rotctl(typed="P 30 50\np\n_\nS\nR 1\nq\n")
+    assert "Azimuth: " in said
+    assert "Info: Carryout G2" in said
+    assert said.count("error") == 1  # R 1: no program in the network restarts or homes a dish
