@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.base.errors import Held
+from birdcage.base.reason import Reason
 from birdcage.station.events import FaultAcknowledged, Recovered
-from birdcage.station.requests import BeginTask
+from birdcage.station.requests import BeginTask, Goto
 from birdcage.station.state import Activity
 from birdcage.station.task_state import TaskPhase
 
@@ -113,3 +115,27 @@ def test_a_second_restart_is_taken_up_like_the_first():
         count = sum(isinstance(each, Recovered) for each in bench.events)
         until(bench, lambda count=count: sum(isinstance(each, Recovered) for each in bench.events) > count, 180.0)
     assert bench.state.fault is None
+
+
+@pytest.mark.parametrize("holder", ["you", "rotctld 1", "tracker"])
+def test_in_the_countdown_others_are_refused(holder):
+    bench = scanning()
+    bench.device.reboot()
+    start = bench.clock.monotonic()
+    until(bench, lambda: phases(bench).get("recovery") is TaskPhase.COUNTDOWN, 60.0)
+    asked = bench.station.submit(Goto(200.0, 40.0, holder))
+    bench.step(1.0)
+    assert isinstance(asked.exception(timeout=0), Held)
+    assert asked.exception().reason is Reason.FAULT
+    assert bench.moves_since(start) == []
+
+
+def test_while_it_is_homed_nothing_else_is_sent():
+    bench = scanning()
+    bench.device.reboot()
+    start = bench.clock.monotonic()
+    until(bench, lambda: phases(bench).get("recovery") is TaskPhase.RUNNING, 60.0)
+    asked = bench.station.submit(Goto(200.0, 40.0, "rotctld 1"))
+    until(bench, lambda: bench.state.fault is None, 60.0)
+    assert bench.moves_since(start) == ["h 0", "h 1"]
+    assert isinstance(asked.exception(timeout=0), Held)
