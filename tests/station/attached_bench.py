@@ -32,7 +32,15 @@ def served(tmp_path) -> Iterator[OwnerStandIn]:
     owner.server = ControlServer(owner, folder)
     owner.link(LinkPhase.UP)
     owner.found = find_owner(folder, str(port))
+
+    def serve_again() -> None:
+        """Let another program have the port, after this one's server was closed."""
+        owner.server = ControlServer(owner, folder)
+        owner.link(LinkPhase.UP)
+
+    owner.serve_again = serve_again
     yield owner
+    owner.thawed.set()
     owner.server.close()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from concurrent.futures import Future
 
 from birdcage.base.clock import VirtualClock
@@ -20,6 +21,11 @@ class OwnerStandIn:
         self.asked_port = asked or port
         self.stops: list[str] = []
         self.asked: list[Request] = []
+        self.answers: dict[type, object] = {}
+        """What requests of these types are answered; the others get None."""
+        self.thawed = threading.Event()
+        """While it is not set, STOP does not come back, as in a program that is frozen."""
+        self.thawed.set()
         self.subscribe, self.watch, self.warn = self.board.subscribe, self.board.watch, self.board.warn
 
     @property
@@ -29,10 +35,11 @@ class OwnerStandIn:
     def submit(self, request: Request) -> Future[object]:
         self.asked.append(request)
         future: Future[object] = Future()
-        future.set_result(None)
+        future.set_result(self.answers.get(type(request)))
         return future
 
     def stop(self, by: str) -> None:
+        self.thawed.wait(30)
         self.stops.append(by)
         report = StopReport(by, self.clock.monotonic(), "retarget", True, "Stands still.")
         self.board.change(last_stop=report)

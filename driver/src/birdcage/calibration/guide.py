@@ -20,10 +20,10 @@ from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, re
 from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for
 from birdcage.sky.rise import Ear, expected_rise_db
 from birdcage.sky.targets.model import SlotTarget
+from birdcage.station.access import FaceSession
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.reach_limits import reach_limits_of
 from birdcage.station.requests import ApplySettings, Goto, Jog, ReleaseLease, Request, Unwatch, Watch
-from birdcage.station.session import Session
 from birdcage.station.state import MOVING, LinkPhase, Pointing
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ class Guide:
     """
 
     def __init__(
-        self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
+        self, session: FaceSession, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
         flags: Mapping[str, object] | None = None, holder: str = "calibration", watch: bool = True,
         over_pursuit: bool = False,
     ) -> None:  # fmt: skip

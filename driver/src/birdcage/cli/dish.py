@@ -131,7 +131,7 @@ def open_dish(
         signals = take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
-            stack.callback(ControlServer(dish.station, owners_folder(wanted.paths)).close)
+            stack.callback(ControlServer(dish.station, owners_folder(wanted.paths), _program()).close)
         if moves:
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()
@@ -159,6 +159,15 @@ def open_dish(
             raise click.exceptions.Exit(exits.CRASH) from crash
         else:
             dish.close()
+
+
+def _program() -> str:
+    """Return how this command is called in other programs: `birdcage station run`."""
+    context, words = click.get_current_context(silent=True), list[str]()
+    while context is not None and context.parent is not None:
+        words.insert(0, context.info_name or "")
+        context = context.parent
+    return " ".join(["birdcage", *words])
 
 
 def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted: Wanted) -> None:
@@ -192,7 +201,7 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
         )
     return open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey,
+        clock=clock, survey=survey, load=wanted.load,
     )  # fmt: skip
 
 

@@ -54,6 +54,14 @@ class Wanted:
     baud: int | None
     settings: Settings
     paths: Paths
+    flags: Mapping[str, object] = field(default_factory=dict)
+    """What lies over the file in `settings`, by dotted key."""
+
+    def load(self) -> Settings:
+        """Read the settings again, with the same flags over them. Any thread."""
+        from birdcage.base.config import load
+
+        return load(self.paths.config_file, flags=self.flags)
 
     @property
     def model(self) -> Facts | None:
@@ -170,9 +178,13 @@ def load_settings(paths: Paths, own: Mapping[str, object] | None = None) -> Sett
     """Return the settings with the flags of this command over them; `own` are those that no other command has."""
     from birdcage.base.config import load
 
+    return load(paths.config_file, flags=_flags_over(own))
+
+
+def _flags_over(own: Mapping[str, object] | None) -> dict[str, object]:
     given = flags()
     over = {"dish.port": given.get("port"), "dish.firmware": given.get("firmware"), "dish.baud": given.get("baud")}
-    return load(paths.config_file, flags={**over, **(own or {})})
+    return {**over, **(own or {})}
 
 
 def wanted(own: Mapping[str, object] | None = None) -> Wanted:
@@ -195,4 +207,5 @@ def wanted(own: Mapping[str, object] | None = None) -> Wanted:
         baud=dish.baud,
         settings=settings,
         paths=paths,
+        flags=_flags_over(own),
     )

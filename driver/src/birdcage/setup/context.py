@@ -11,9 +11,9 @@ from birdcage.base.config import KeptStep, Settings, edit, load
 from birdcage.base.config.edit import Value
 from birdcage.base.paths import Paths
 from birdcage.setup.receiver import AskReceiver, ask_receiver
+from birdcage.station.access import FaceSession
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.requests import ApplySettings, ReleaseLease, Request
-from birdcage.station.session import Session
 from birdcage.station.state import LinkPhase, Pointing, StationState
 
 FRESH_S = 5.0
@@ -24,11 +24,11 @@ class SetupContext:
     """One for each `Setup`. Only for the thread that drives it."""
 
     def __init__(
-        self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None,
+        self, session: FaceSession, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None,
         flags: Mapping[str, object] | None, holder: str, ports: Callable[[], list[PortInfo]],
         system: Callable[[str], SystemFacts], receiver: AskReceiver = ask_receiver,
     ) -> None:  # fmt: skip
-        self.station, self.clock = session.station, session.clock
+        self.station, self.clock, self.via = session.station, session.clock, session.via
         self.settings, self.paths, self.holder = settings, paths, holder
         self.ports, self.system, self.receiver = ports, system, receiver
         self._environ = os.environ if environ is None else environ

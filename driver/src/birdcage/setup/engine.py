@@ -24,9 +24,9 @@ from birdcage.setup.steps.link import LinkStep
 from birdcage.setup.steps.north import NorthStep
 from birdcage.setup.steps.place import PlaceStep
 from birdcage.setup.steps.search import SearchStep
+from birdcage.station.access import FaceSession
 from birdcage.station.known import Facts, PortInfo, SystemFacts, list_ports, look_at_system
 from birdcage.station.requests import Unwatch, Watch
-from birdcage.station.session import Session
 
 CLEAR_QUESTION = (
     "The dish is about to move by motor, and homing turns it through its whole range. Is its area clear of people, "
@@ -57,7 +57,7 @@ class Setup:
     """
 
     def __init__(
-        self, session: Session, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
+        self, session: FaceSession, settings: Settings, paths: Paths, *, environ: Mapping[str, str] | None = None,
         flags: Mapping[str, object] | None = None, holder: str = "setup",
         ports: Callable[[], list[PortInfo]] = list_ports, system: Callable[[str], SystemFacts] = look_at_system,
         receiver: AskReceiver = ask_receiver,

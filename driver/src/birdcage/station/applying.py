@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.az_el import MOST_MISSED_DEG
 from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.base.reason import Reason
 from birdcage.station.parts import Parts
 from birdcage.station.settings import Rules, rules_from
@@ -37,12 +38,24 @@ class Applying:
 
     def __init__(self, parts: Parts, wrong_facts: tuple[str, ...]) -> None:
         self._store, self._antenna, self._mover, self._reader = parts.store, parts.antenna, parts.mover, parts.reader
+        self._file = parts.settings.file
         self._wrong_facts = refusal_of(wrong_facts)
 
     def apply(self, settings: Settings) -> None:
         """Take over what these settings say. BirdcageError (`moving`) while the dish moves."""
         refuse_while_moving(self._store, self._antenna, "Settings are not taken over")
         self.use(rules_from(settings))
+
+    def reload(self, file: str) -> None:
+        """Read the settings again and apply them. CommandRefused where they come from another file than this one."""
+        own = self._file
+        if own is None:
+            raise CommandRefused("The program that has the port reads no birdcage.toml. Start it again.")
+        if os.path.realpath(own.path) != os.path.realpath(file):
+            words = f"The program that has the port reads {own.path}, not {file}. Write there, or start it again."
+            raise CommandRefused(f"{words} It goes on as before.", reason=Reason.BAD_PARAMETER)
+        refuse_while_moving(self._store, self._antenna, "Settings are not taken over")
+        self.apply(own.load())
 
     def use(self, rules: Rules) -> None:
         """Put the rules into force, and show everything that follows from them."""

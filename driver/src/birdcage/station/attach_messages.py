@@ -68,6 +68,8 @@ class Attached:
     utc: datetime
     asked: str
     """The port as the station's user named it."""
+    program: str
+    """What the station's program is: `birdcage station run`."""
 
 
 def name_here() -> str:

@@ -11,7 +11,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Future
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
@@ -37,18 +37,21 @@ from birdcage.station.holding import hold
 from birdcage.station.json_form import VERSION, event_from_json, parse, to_json
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.request_log import log_request
-from birdcage.station.requests import Request, Stop
+from birdcage.station.requests import Request, Stop, Unwatch, Watch
 from birdcage.station.state import Activity, LinkPhase, LinkState, StationState, StopReport
 from birdcage.station.state_store import StateStore
 from birdcage.station.task_state import TaskPhase
 
 SAME_CLOCK_S = 0.005
 """Two clocks that agree within this, and within the time that asking takes, are one."""
+STOP_S = 1.0
+"""A station answers a STOP at once, as it waits for no dish; after so long its program is taken for frozen."""
 RETRY_S = (0.1, 0.2, 0.5, 1.0)
 """How long to wait before looking for the station again; the last one from then on."""
 JOIN_S, FINISH_S = 1.0, 0.5
 ENDED = "The program that drove the dish has ended, or hung up. It is unknown whether the dish moves. Attaching again."
 TOO_SLOW = "This program did not keep up with the station, and was dropped."
+PORT_IS_FREE = "If the dish moves, cut its power. `birdcage stop` opens the port itself."
 NAMED = frozenset({"holder", "by", "previous", "next_holder", "watcher"})
 """Fields of requests, events and the state that name somebody."""
 
@@ -97,8 +100,12 @@ class AttachedStation:
         self._lock = threading.Lock()
         self._lines: DuplexLines | None = None
         self._open: dict[int, tuple[Future[object], type]] = {}
-        self._stops: dict[int, str] = {}
-        """STOPs that are not answered yet, and who called them."""
+        self._stops: dict[int, _OpenStop] = {}
+        """STOPs that are not answered yet."""
+        self._watches: dict[str, Watch] = {}
+        """What this face looks at: the next program is asked for it, too."""
+        self._owner: Owner | None = None
+        self._program = ""
         self._met = threading.Event()
         """Set while a station is attached whose state is known."""
         self._closing = threading.Event()
@@ -115,6 +122,12 @@ class AttachedStation:
         """Whether a station is attached, and its state is known."""
         return self._met.is_set()
 
+    @property
+    def via(self) -> str:
+        """The program that drives the dish, or did last: `birdcage serve (process 4711)`; empty before one did."""
+        owner = self._owner
+        return "" if owner is None else f"{self._program} (process {owner.pid})"
+
     def wait_attached(self, within_s: float) -> bool:
         """Wait until a station is attached; False if that takes longer."""
         return self._met.wait(within_s)
@@ -128,10 +141,15 @@ class AttachedStation:
 
         NoReply (`lost`) where the station's program ended before it answered: it is unknown whether it was done.
         LinkError (`lost`) where none is attached, and CommandRefused for what has no JSON form: nothing was sent.
+        A `Watch` lasts until `Unwatch`: each program that is attached to is asked for it.
         """
         future: Future[object] = Future()
         future.set_running_or_notify_cancel()
         log_request(request, future)
+        if isinstance(request, Watch):
+            self._watches[request.watcher] = request
+        elif isinstance(request, Unwatch):
+            self._watches.pop(request.watcher, None)
         number = next(self._numbers)
         try:
             line = self._line_of(number, request)
@@ -158,11 +176,12 @@ class AttachedStation:
         with self._lock:
             lines = self._lines
             if lines is not None:
-                self._stops[number] = by
+                self._stops[number] = _OpenStop(by, time.monotonic())
         if lines is None:
-            self._not_stopped(by, self._none_here)
+            self._not_stopped(by, self._none_here, PORT_IS_FREE)
         else:
             lines.send(line)
+            lines.wake()  # its answer is waited for from now on
 
     def close(self) -> None:
         """Detach. What was asked for goes on: its motion to its end, then control is given back."""
@@ -195,7 +214,8 @@ class AttachedStation:
                     raise OwnerGone(self._none_here)
                 why = self._talk(owner)
             except OwnerGone:
-                why = f"{self._none_here} `birdcage station run` would. Looking again."
+                unknown = "It is unknown whether the dish moves. " if self._owner is not None else ""
+                why = f"{self._none_here} {unknown}`birdcage station run` would drive it. Looking for it."
             except (NoAnswer, BirdcageError, OSError) as error:
                 why = str(error)
             if self._told is not None:
@@ -212,10 +232,10 @@ class AttachedStation:
         self._outward = {attached.host: YOU, self._own: attached.name}
         lines = DuplexLines(line, LONGEST_ANSWER, ahead)
         with self._lock:
-            self._lines = lines
+            self._lines, self._owner, self._program = lines, owner, attached.program
         try:
             while not self._closing.is_set() and not lines.gone:
-                lines.wait(None)
+                lines.wait(self._tell_late_stops())
                 while (told := lines.next_line()) is not None:
                     ended = self._take(told)
                     if ended is not None:
@@ -225,6 +245,19 @@ class AttachedStation:
             return f"The program that has {self._port} speaks another form. Use the same birdcage in both. {error}"
         finally:
             lines.finish(FINISH_S if self._closing.is_set() else 0.0)
+
+    def _tell_late_stops(self) -> float | None:
+        """Say which STOPs have no answer in time; return when to look again, in seconds. None: nothing is open."""
+        now = time.monotonic()
+        with self._lock:
+            waiting = [stop for stop in self._stops.values() if not stop.told]
+            late = [stop for stop in waiting if now >= stop.at + STOP_S]
+            for stop in late:
+                stop.told = True
+        for stop in late[-1:]:
+            words = f"{self.via} does not answer. It is unknown whether STOP was sent."
+            self._not_stopped(stop.by, words, "If the dish moves, cut its power. Then end that process.")
+        return min((stop.at + STOP_S - now for stop in waiting if stop not in late), default=None)
 
     def _take(self, line: bytes) -> EndOfEvents | None:
         """Take in one line; return why it is the last, None if it is not."""
@@ -244,6 +277,8 @@ class AttachedStation:
             self._store.put(self._told)
             if is_first:
                 self._met.set()
+                for watch in list(self._watches.values()):
+                    self.submit(watch)
                 self._tell(LinkChanged(*self._store.stamp(), self._told.link))
         else:
             self._tell(event_from_json(told))
@@ -278,8 +313,8 @@ class AttachedStation:
             future.set_exception(NoReply(words, reason=Reason.LOST))
         if why and not self._closing.is_set():
             self._show_lost(why)
-        for by in stops.values():
-            self._not_stopped(by, f"{why or TOO_SLOW} It is unknown whether STOP was sent.")
+        for stop in stops.values():
+            self._not_stopped(stop.by, f"{why or TOO_SLOW} It is unknown whether STOP was sent.", PORT_IS_FREE)
 
     def _show_lost(self, why: str) -> None:
         at, utc = self._store.stamp()
@@ -297,11 +332,10 @@ class AttachedStation:
         )  # fmt: skip
         self._tell(LinkChanged(at, utc, link))
 
-    def _not_stopped(self, by: str, why: str) -> None:
+    def _not_stopped(self, by: str, why: str, remedy: str) -> None:
         """Say that STOP did not reach the dish, and hold it for the programs that come after."""
         at, utc = self._store.stamp()
-        words = f"{why} If the dish moves, cut its power. `birdcage stop` opens the port itself."
-        report = StopReport(by, at, StopMeans.NO_LINK, confirmed=False, sentence=words)
+        report = StopReport(by, at, StopMeans.NO_LINK, confirmed=False, sentence=f"{why} {remedy}")
         self._store.change(last_stop=report)
         self._tell(StopSent(at, utc, replace(report, confirmed=None)))
         self._tell(StopConfirmed(at, utc, report))
@@ -318,6 +352,17 @@ class AttachedStation:
             self._store.tell(event)
         except Exception:
             log.exception("a listener to events has failed, and hears no more")
+
+
+@dataclass(slots=True, eq=False)
+class _OpenStop:
+    """A STOP that is not answered yet."""
+
+    by: str
+    at: float
+    """When it was called, in monotonic seconds of this program."""
+    told: bool = False
+    """Whether it was said that no answer came."""
 
 
 def _renamed(told: Any, names: Mapping[str, str]) -> Any:  # noqa: ANN401 - any JSON

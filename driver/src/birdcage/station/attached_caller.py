@@ -84,7 +84,8 @@ class AttachedCaller:
 
     def _welcome(self) -> Attached:
         clock = self._station.clock
-        return Attached(self._name, name_here(), clock.monotonic(), clock.utc(), self._station.asked_port)
+        asked, program = self._station.asked_port, self._attachments.program
+        return Attached(self._name, name_here(), clock.monotonic(), clock.utc(), asked, program)
 
     def _talk(self, lines: DuplexLines) -> None:
         until: float | None = None

@@ -18,8 +18,10 @@ class Attachments:
     The motion of a program that is gone goes on to its end, and so do its tasks; then its control is given back.
     """
 
-    def __init__(self, station: Station) -> None:
+    def __init__(self, station: Station, program: str = "birdcage") -> None:
         self._station = station
+        self.program = program
+        """How the station's program is called by those that are attached."""
         self._lock = threading.Lock()
         self._holders: dict[str, set[str]] = {}
         """By whom is attached: the names under which it has asked for something."""

@@ -24,7 +24,7 @@ from birdcage.station.narration import narrate
 from birdcage.station.not_now import NotNow
 from birdcage.station.record import keep_journal
 from birdcage.station.session import Session
-from birdcage.station.settings import StationSettings, rules_from, site_from
+from birdcage.station.settings import SettingsFile, StationSettings, rules_from, site_from
 from birdcage.station.station import Station
 from birdcage.station.wear import keep_wear
 
@@ -45,13 +45,15 @@ def open_session(
     ports: PortLister = list_ports,
     identify: Callable[[str], str | None] | None = None,
     antenna: BirdcageAntenna | None = None,
+    load: Callable[[], Settings] | None = None,
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 
     An empty `port` is none yet: the link is then lost, and nothing is looked for before `Connect` names one.
     `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. `identify` names
     the dish at a port for what is remembered of it, in place of the port's own identity. `antenna` is one that a script
-    has made, which the station takes over. KeyError for a firmware that this version does not speak.
+    has made, which the station takes over. `load` reads the settings again when an attached program has changed them;
+    without it that is refused. KeyError for a firmware that this version does not speak.
     """
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal, wear = Journal(paths.journal), WearBook(paths.journal)
@@ -80,6 +82,7 @@ def open_session(
         **{each.name: getattr(rules, each.name) for each in fields(rules)},
         not_now=None if own.not_now is None else NotNow(own.not_now, own.not_now_every_s, _shelter(settings)),
         home_after_reboot=own.after_reboot == "home",
+        file=None if load is None else SettingsFile(paths.config_file, load),
         remark=lambda text: transcript.remark(text, clock.utc()),
     )
     station = Station(clock, station_settings) if antenna is None else Station.adopt(antenna, clock, station_settings)

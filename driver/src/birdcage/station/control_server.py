@@ -37,14 +37,17 @@ OUTSIDE = "outside"
 class ControlServer:
     """Called by other processes of the same user. Never announced for a simulated dish inside this process."""
 
-    def __init__(self, station: Station, folder: Path) -> None:
-        """Listen for `station`; `folder` is where owners leave their files. OSError when that cannot be done."""
+    def __init__(self, station: Station, folder: Path, program: str = "birdcage") -> None:
+        """Listen for `station`; `folder` is where owners leave their files. OSError when that cannot be done.
+
+        `program` is how this one is called by those that are attached.
+        """
         self._station, self._folder = station, folder
         self._token = secrets.token_hex(16)
         self._file: Path | None = None
         self._lock = threading.Lock()
         self._callers: list[ControlCaller] = []
-        self._watches, self._attachments = OutsideWatches(), Attachments(station)
+        self._watches, self._attachments = OutsideWatches(), Attachments(station, program)
         self._wake = Wake()
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._listener.setblocking(False)

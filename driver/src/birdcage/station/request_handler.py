@@ -107,6 +107,8 @@ class RequestHandler:
                 return
             case ask.ApplySettings(settings):
                 self._applying.apply(settings)
+            case ask.ReloadSettings(file):
+                self._applying.reload(file)
             case ask.Raw():
                 self._raw_console.raw(request, future)
                 return

@@ -284,6 +284,18 @@ class ApplySettings:
 
 
 @dataclass(frozen=True, slots=True)
+class ReloadSettings:
+    """Read birdcage.toml again, and take limits, alignment and feed from it as `ApplySettings` does.
+
+    For programs that are attached, which have written there. CommandRefused where the station's program reads another
+    file, or none.
+    """
+
+    file: str
+    """The file that was written, as an absolute path."""
+
+
+@dataclass(frozen=True, slots=True)
 class SetSearch:
     """Switch the firmware's own TV search off, or walk that back (see `Facts.search_switch`).
 
@@ -358,38 +370,8 @@ class AcceptLimits:
 
 
 Request = (
-    Goto
-    | Follow
-    | Pursue
-    | EndPursuit
-    | Drive
-    | EndMotion
-    | BeginTask
-    | ResumeTask
-    | DropTask
-    | Jog
-    | TurnSkew
-    | Stop
-    | Release
-    | Home
-    | ReleaseMotors
-    | Engage
-    | Stow
-    | Park
-    | SetSpeed
-    | Read
-    | Set
-    | Raw
-    | ListCommands
-    | ProbePort
-    | Connect
-    | ApplySettings
-    | SetSearch
-    | AcquireLease
-    | ReleaseLease
-    | Watch
-    | Unwatch
-    | ReportIgnored
-    | AcknowledgeFault
-    | AcceptLimits
-)
+    Goto | Follow | Pursue | EndPursuit | Drive | EndMotion | BeginTask | ResumeTask | DropTask | Jog | TurnSkew
+    | Stop | Release | Home | ReleaseMotors | Engage | Stow | Park | SetSpeed | Read | Set | Raw | ListCommands
+    | ProbePort | Connect | ApplySettings | ReloadSettings | SetSearch | AcquireLease | ReleaseLease | Watch | Unwatch
+    | ReportIgnored | AcknowledgeFault | AcceptLimits
+)  # fmt: skip

@@ -58,6 +58,11 @@ class Session:
             raise BirdcageError("This session was built without a transcript, so its wire can't be heard.")
         return self._wire.listen(listener)
 
+    @property
+    def via(self) -> str:
+        """Empty: this program drives the dish itself (`FaceSession`)."""
+        return ""
+
     def step(self, seconds: float) -> None:
         """Run the station on this thread for so many seconds of its clock."""
         if self._thread is not None:
@@ -77,6 +82,10 @@ class Session:
             self.station.stop("a fault of birdcage")
         finally:
             self.station.shut()
+
+    def leave(self, by: str) -> None:
+        """STOP for a face that is about to end. Any thread; waits for nothing."""
+        self.station.stop(by, leaving=True)
 
     def close(self, *, leave_moving: bool = False) -> str:
         """Send STOP if anything moves, give the port back, and return a sentence that says where the dish is.

@@ -73,6 +73,15 @@ def rules_from(settings: Settings) -> Rules:
 
 
 @dataclass(frozen=True, slots=True)
+class SettingsFile:
+    """birdcage.toml as this program reads it, for programs that have written there and are attached."""
+
+    path: Path
+    load: Callable[[], Settings]
+    """Reads it again; what was given at the start lies over it."""
+
+
+@dataclass(frozen=True, slots=True)
 class StationSettings(Rules):
     """Everything that the station is told before it begins. Of its rules, only the first."""
 
@@ -104,5 +113,7 @@ class StationSettings(Rules):
     """The command that says whether the dish may move unattended; None: it may."""
     home_after_reboot: bool = False
     """Home a dish that has restarted, and let what was interrupted go on, with no person near."""
+    file: SettingsFile | None = None
+    """What `ReloadSettings` reads; None: it is refused."""
     remark: Callable[[str], None] = lambda _text: None
     """Puts a remark into the transcript."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
 from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice
 from birdcage.station.known import list_models
@@ -28,6 +30,9 @@ def other_firmwares(bench: SetupContext, *, likely: bool = False, heard: str = "
 def speak_another(bench: SetupContext, choice: str) -> None:
     """Keep the firmware of that choice, at its own rate. The session has to begin anew to speak it."""
     firmware = choice.removeprefix(OTHER)
+    if bench.via:
+        words = f"{bench.via} speaks to the dish. End it, and start it again with --firmware {firmware}."
+        raise BirdcageError(f"{words} Nothing was changed.", reason=Reason.BUSY)
     bench.write({"dish.firmware": firmware, "dish.baud": None})
     for step in ("link", "dish"):
         bench.forget(step)  # what was kept of them was of another dish

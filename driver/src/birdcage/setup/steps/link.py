@@ -121,10 +121,13 @@ class LinkStep(Step):
         """Say what to do, and what was seen."""
         state = self.bench.state
         if state.link.state is LinkPhase.UP:
-            return (f"A dish answers on {_short(state.port)}.",)
+            through = f", through {self.bench.via}" if self.bench.via else ""
+            return (f"A dish answers on {_short(state.port)}{through}.",)
         if self._another:
             return ("The wires are right. A dish answers, but not the one you chose. Say which.",)
         refreshes = f"The list refreshes every {LIST_S:.0f} seconds."
+        if self.bench.via:
+            return (f"{self.bench.via} has the port {_short(state.port)}. To use another one, end that program.",)
         words = [f"Choose the port of the RS-422 adapter. Nothing is sent to the others. {refreshes}"]
         if not self._ports and not state.port:
             words = []
@@ -168,8 +171,10 @@ class LinkStep(Step):
         answering = self._answering()
         if state.link.state is LinkPhase.UP:
             choices.append(Choice("keep", "enter", "Use this port"))
-        elif answering is not None:
+        elif answering is not None and not self.bench.via:
             choices.append(Choice("connect", "enter", f"Connect at {answering} baud"))
+        if self.bench.via:
+            return tuple(choices)  # the program that has the port chooses it
         if self._another:
             return other_firmwares(self.bench, likely=True)
         if self._heard:

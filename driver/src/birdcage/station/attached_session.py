@@ -1,0 +1,191 @@
+"""The station of another program, as the app has it: with the words of F5, and an end that stops nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from concurrent.futures import Future
+
+from birdcage.base.errors import BirdcageError, CommandRefused
+from birdcage.base.paths import Paths
+from birdcage.base.reason import Reason
+from birdcage.rotator import machines
+from birdcage.rotator.raw import CommandDoc, RawLines
+from birdcage.rotator.verdict import Grade
+from birdcage.station.attached import AttachedStation
+from birdcage.station.control_client import find_owner, owners_folder
+from birdcage.station.menu_commands import MenuCommands
+from birdcage.station.pursuit_state import Phase
+from birdcage.station.raw import MenuCommand, TranscriptEntry, Verdict
+from birdcage.station.requests import ApplySettings, Connect, ListCommands, ReloadSettings, Request
+from birdcage.station.session import farewell
+from birdcage.station.state import MOVING, Activity, LinkPhase, StationState
+
+MEET_S = 1.0
+"""How long a program that has the port may take to say so, before the app begins without its answer."""
+UNJUDGED = Verdict(Grade.MOVES, "This app does not know the dish's language.", listed=False)
+"""What is said of a line to a dish whose language is not installed here."""
+
+
+class AttachedFaceStation(AttachedStation):
+    """Keeps `FaceStation`. What a raw line would do tells the language of the dish, which is installed here too."""
+
+    def __init__(self, paths: Paths, port: str, *, by: str) -> None:
+        super().__init__(paths, port, by=by)
+        self._config_file = paths.config_file
+        self._spoken: str | None = None
+        self._raw: RawLines | None = None
+        self._menus = MenuCommands(None)
+
+    @property
+    def has_prompt(self) -> bool:
+        """Whether the machine shows a prompt."""
+        raw = self._language()
+        return raw is not None and raw.has_prompt
+
+    def judge(self, line: str) -> Verdict:
+        """Say what a raw line would do in the dish's present menu; its target is not compared with the limits here."""
+        raw, state = self._language(), self.state
+        if raw is None:
+            return UNJUDGED
+        return raw.judge(line, state.menu, homed=state.homed)
+
+    def only_asks(self, line: str, prompt: str) -> bool:
+        """Return whether a line that went out at this prompt changes nothing but the menu."""
+        raw = self._language()
+        return raw is not None and raw.only_asks(line, prompt)
+
+    def says_target(self, text: str) -> bool:
+        """Return whether a line from the machine does nothing but say where it goes."""
+        raw = self._language()
+        return raw is not None and raw.says_target(text)
+
+    def is_prompt(self, text: str) -> bool:
+        """Return whether a line from the machine is a prompt and nothing else."""
+        raw = self._language()
+        return raw is not None and raw.is_prompt(text)
+
+    def is_steering(self) -> bool:
+        """Return whether a pursuit sends what goes out now."""
+        state = self.state
+        live = state.pursuit
+        followed = live is not None and live.phase is Phase.FOLLOWING and state.holder == live.holder
+        return followed and state.held is None
+
+    def commands(self, menu: str | None) -> tuple[MenuCommand, ...]:
+        """Return the commands of a menu: the documented ones, and what the dish has told this app."""
+        self._language()
+        return self._menus.of(menu)
+
+    def own_signal(self, source: str, holder: str) -> None:
+        """Do nothing: the station's program says who reads a signal."""
+
+    def submit(self, request: Request) -> Future[object]:
+        """Ask for something (`AttachedStation.submit`). Settings are read again by the station's program.
+
+        CommandRefused for another port: the station's program has this one.
+        """
+        if isinstance(request, ApplySettings):
+            return super().submit(ReloadSettings(str(self._config_file.absolute())))
+        if isinstance(request, Connect) and request.port != self.state.port:
+            return _refused(
+                f"{self.via} has {self.state.port}. To use {request.port}, end that program and start this one again."
+            )
+        future = super().submit(request)
+        if isinstance(request, ListCommands):
+            future.add_done_callback(self._learn)
+        return future
+
+    def _learn(self, future: Future[object]) -> None:
+        self._language()
+        if future.exception() is None and isinstance(found := future.result(), tuple):
+            told = [command for command in found if command.told_by_dish]
+            for menu in {command.menu for command in told}:
+                here = [each for each in told if each.menu == menu]
+                self._menus.learn(menu, [CommandDoc(menu, each.name, each.usage, each.help) for each in here])
+
+    def _language(self) -> RawLines | None:
+        """Return the language of the dish that is driven now; None where it has none, or that is not installed."""
+        dish = self.state.dish
+        firmware = None if dish is None else dish.firmware
+        if firmware is not None and firmware != self._spoken:
+            try:
+                raw = machines.make(firmware).raw
+            except KeyError:
+                raw = None
+            self._spoken, self._raw, self._menus = firmware, raw, MenuCommands(raw)
+        return self._raw
+
+
+class AttachedSession:
+    """Keeps `FaceSession` over the program that has the port. The app's end stops nothing there."""
+
+    def __init__(self, station: AttachedFaceStation) -> None:
+        self.station, self.clock = station, station.clock
+        self.crash: BaseException | None = None
+
+    @property
+    def via(self) -> str:
+        """The program that drives the dish, or did last."""
+        return self.station.via or "another program"
+
+    def start(self) -> None:
+        """Do nothing: it is attached already."""
+
+    def on_wire(self, listener: Callable[[TranscriptEntry], None]) -> Callable[[], None]:
+        """Hear the wire of the station's program."""
+        del listener
+        raise BirdcageError(f"Only {self.via} hears the wire.")
+
+    def leave(self, by: str) -> None:
+        """Stop nothing: the station goes on."""
+
+    def close(self) -> str:
+        """Detach, and return what goes on, and where the dish was seen last."""
+        station = self.station
+        state, is_attached = station.state, station.is_attached
+        station.close()
+        where = farewell(state.position, state.position_lost, None)
+        if not is_attached:
+            return f"{state.link.detail} It is unknown whether the dish moves. {where}"
+        going = what_goes_on(state)
+        return f"{self.via} goes on{f': {going}' if going else ''}. {where}"
+
+
+def what_goes_on(state: StationState) -> str:
+    """Return what the dish is at, as the rest of a sentence; empty while it rests and nothing is planned."""
+    pursuit = state.pursuit
+    if pursuit is not None and pursuit.phase is not Phase.OVER:
+        verb = "follows" if pursuit.phase is Phase.FOLLOWING else "is to follow"
+        return f"the dish {verb} {pursuit.plan.aim.name}"
+    if state.activity is Activity.HOMING:
+        return "the dish homes"
+    if state.tasks:
+        return f"the dish carries out {state.tasks[0].kind}"
+    motion = state.motion
+    if motion is not None:
+        return f"the dish moves to AZ {motion.to_az_deg:.2f} EL {motion.to_el_deg:.2f}°"
+    return "the dish moves" if state.activity in MOVING or state.raw_motion else ""
+
+
+def attach_session(paths: Paths, port: str, by: str) -> AttachedSession | None:
+    """Attach to the program that has the port; None where there is none, or only what a dead one has left.
+
+    A program that has the port and does not answer is attached to as soon as it does: nothing else can have the port.
+    """
+    folder = owners_folder(paths)
+    if find_owner(folder, port) is None:
+        return None
+    station = AttachedFaceStation(paths, port, by=by)
+    until = station.clock.monotonic() + MEET_S
+    while not station.wait_attached(0.02) and station.clock.monotonic() < until:
+        gone = station.state.link.state is LinkPhase.LOST and find_owner(folder, port) is None
+        if gone:
+            station.close()
+            return None
+    return AttachedSession(station)
+
+
+def _refused(words: str) -> Future[object]:
+    future: Future[object] = Future()
+    future.set_exception(CommandRefused(f"{words} Nothing was sent.", reason=Reason.BUSY))
+    return future

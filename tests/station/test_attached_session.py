@@ -1,0 +1,141 @@
+"""The app's end of another program's station: the words of F5, settings, what its end says, and whom it attaches to."""
+
+from __future__ import annotations
+
+import json
+import time
+from dataclasses import replace
+
+import pytest
+from birdcage.base.errors import CommandRefused
+from birdcage.base.paths import Paths
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.rotator.ladder import StopMeans
+from birdcage.station.attached_session import AttachedSession, attach_session, what_goes_on
+from birdcage.station.control_client import owner_file, owners_folder
+from birdcage.station.raw import Grade, MenuCommand
+from birdcage.station.requests import ApplySettings, Connect, ListCommands, ReloadSettings, Unwatch, Watch
+from birdcage.station.state import Activity, LinkPhase, Motion, Pointing, StationState
+
+from .attached_bench import served, until
+
+
+@pytest.fixture
+def owner(tmp_path):
+    with served(tmp_path) as owner:
+        owner.board.change(dish=CARRYOUT_G2, menu="mot", homed=True)
+        yield owner
+
+
+@pytest.fixture
+def app(owner):
+    session = attach_session(Paths.default(), owner.state.port, "birdcage-tui")
+    assert isinstance(session, AttachedSession)
+    yield session
+    session.station.close()
+
+
+def test_without_a_program_the_app_keeps_to_itself(tmp_path):
+    assert attach_session(Paths.default(), str(tmp_path / "port"), "birdcage-tui") is None
+
+
+def test_what_a_dead_program_has_left_is_no_program(owner):
+    path = owner_file(owners_folder(Paths.default()), owner.state.port)
+    told = json.loads(path.read_text())
+    owner.server.close()
+    path.write_text(json.dumps(told))
+    assert attach_session(Paths.default(), owner.state.port, "birdcage-tui") is None
+    assert not path.exists()
+
+
+def test_it_says_through_whom_it_drives(app, owner):
+    assert app.via == f"birdcage (process {owner.found.pid})"
+
+
+def test_a_raw_line_is_judged_here_by_the_language_of_the_dish(app):
+    station = app.station
+    assert station.judge("a 0 100").grade is Grade.MOVES
+    assert station.judge("a").grade is Grade.HARMLESS
+    assert station.has_prompt
+    assert station.is_prompt("MOT>")
+    assert "a" in [command.name for command in station.commands("mot")]
+
+
+def test_a_language_that_is_not_installed_here_leaves_each_line_a_motion(app, owner):
+    owner.board.change(dish=replace(CARRYOUT_G2, firmware="elsewhere"))
+    until(lambda: app.station.state.dish.firmware == "elsewhere")
+    assert app.station.judge("a").grade is Grade.MOVES
+    assert app.station.commands("mot") == ()
+    assert not app.station.has_prompt
+
+
+def test_what_the_dish_lists_is_known_afterwards(app, owner):
+    told = (MenuCommand("mot", "zz", "zz <n>", "unheard of", told_by_dish=True),)
+    owner.answers = {ListCommands: told}
+    assert app.station.submit(ListCommands()).result(5) == told
+    until(lambda: "zz" in [command.name for command in app.station.commands("mot")])
+
+
+def test_settings_are_read_again_by_the_program_that_has_the_port(app, owner):
+    app.station.submit(ApplySettings(None, "you")).result(5)
+    assert [each for each in owner.asked if isinstance(each, ReloadSettings)] == [
+        ReloadSettings(str(Paths.default().config_file))
+    ]
+
+
+def test_another_port_is_not_for_this_app_to_choose(app, owner):
+    with pytest.raises(CommandRefused, match="end that program"):
+        app.station.submit(Connect("/dev/elsewhere")).result(5)
+    app.station.submit(Connect(owner.state.port)).result(5)
+    assert [type(each) for each in owner.asked if isinstance(each, Connect)] == [Connect]
+
+
+def test_the_next_program_is_asked_for_what_this_app_looks_at(app, owner):
+    app.station.submit(Watch("app", frozenset({"position"}))).result(5)
+    app.station.submit(Watch("gone", frozenset({"health"}))).result(5)
+    app.station.submit(Unwatch("gone")).result(5)
+    owner.server.close()
+    until(lambda: not app.station.is_attached)
+    before = len(owner.asked)
+    owner.serve_again()
+    until(lambda: app.station.is_attached and len(owner.asked) > before)
+    again = owner.asked[before:]
+    assert [(type(each), each.features) for each in again] == [(Watch, frozenset({"position"}))]
+
+
+def test_a_program_that_does_not_answer_a_stop_is_told_of(app, owner):
+    owner.thawed.clear()
+    called = time.monotonic()
+    app.station.stop("you")
+    assert time.monotonic() - called < 0.1
+    until(lambda: app.station.state.last_stop is not None)
+    report = app.station.state.last_stop
+    assert (report.confirmed, report.means) == (False, StopMeans.NO_LINK)
+    assert report.sentence.startswith(f"birdcage (process {owner.found.pid}) does not answer.")
+    assert "Then end that process." in report.sentence
+    owner.thawed.set()
+    until(lambda: len(owner.stops) == 1)
+    until(lambda: app.station.state.last_stop.confirmed is True)
+
+
+def test_its_end_stops_nothing_and_says_what_goes_on(app, owner):
+    pointing = Pointing(101.0, 45.0, 101.0, 45.0, owner.clock.monotonic(), owner.clock.utc())
+    motion = Motion(100.0, 45.0, 160.7, 40.21, 0.0, 9.0, 0.3, StopMeans.RETARGET)
+    owner.board.change(motion=motion, activity=Activity.SLEWING, position=pointing)
+    until(lambda: app.station.state.motion is not None)
+    app.leave("you")
+    said = app.close()
+    assert said.startswith(f"{app.via} goes on: the dish moves to AZ 160.70 EL 40.21°. The dish was last seen at AZ")
+    assert owner.stops == []
+
+
+def test_its_end_without_a_program_says_that_nothing_is_known(app, owner):
+    owner.server.close()
+    until(lambda: app.station.state.link.state is LinkPhase.LOST)
+    assert "It is unknown whether the dish moves." in app.close()
+
+
+def test_what_goes_on_is_told_in_words():
+    assert what_goes_on(StationState()) == ""
+    assert what_goes_on(StationState(activity=Activity.HOMING)) == "the dish homes"
+    assert what_goes_on(StationState(activity=Activity.MOVING_UNASKED)) == "the dish moves"
