@@ -95,6 +95,10 @@ class Session:
         self.started = self.closed = 0
         self.wire = None
         self.crash = None
+        self.via = ""
+
+    def leave(self, by):
+        self.station.stop(by, leaving=True)
 
     def start(self):
         self.started += 1

@@ -19,6 +19,7 @@ from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
+from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.session import Session
@@ -39,8 +40,12 @@ from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.options import SitePlace
 
 if TYPE_CHECKING:
+    from birdcage.station.attached_session import AttachedSession
+
     from birdcage_tui.feeds.setup_engine import SetupEngine
 
+PROGRAM = "birdcage-tui"
+"""How this program is called in others."""
 DEMO_FIRMWARE = "g2"
 """What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
 DEMO_PLACE = SitePlace(39.1, -95.7, "EM29, demo")
@@ -119,13 +124,13 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
         except BirdcageError as wrong:
             return _complain(wrong)
         app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
-        if not options.demo:
+        if not options.demo and isinstance(session, Session):
             from birdcage.station.control_client import owners_folder
             from birdcage.station.control_server import ControlServer
             from birdcage.station.inhibitor import SleepInhibitor
 
             # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
-            stack.callback(ControlServer(session.station, owners_folder(paths)).close)
+            stack.callback(ControlServer(session.station, owners_folder(paths), PROGRAM).close)
             stack.callback(SleepInhibitor(session.station).close)
         if settings.network is not None:
             stack.callback(settings.network.close)
@@ -143,8 +148,8 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
 
 
 def _finish(app: BirdcageApp) -> str:
-    """End the session; return where the dish is, as a sentence."""
-    # First of all the dish: STOP goes out here if it moves, whatever ended the app.
+    """End the session; return where the dish is, and what goes on in another program, as a sentence."""
+    # First of all the dish: STOP goes out here if ours moves, whatever ended the app.
     farewell = app.session.close()
     app.track.wait(LEAVE_S)
     return farewell
@@ -188,7 +193,7 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
     return paths
 
 
-def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptions]:
+def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppOptions]:
     clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
     demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
     # Of its own, as there may be more than one demo in a process, each with a clock of its own.
@@ -213,22 +218,6 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
         remember_demo(paths, demo_firmware)
         write_downlinks(paths)
     settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
-    port = settings.dish.port or _only_port()
-    firmware = settings.dish.firmware or _detect(port, settings.dish.baud)
-    session = open_session(
-        port=port,
-        firmware=_known(firmware or DEMO_FIRMWARE),
-        baud=settings.dish.baud,
-        settings=settings,
-        paths=paths,
-        clock=clock,
-        survey=not options.skip_init,
-        identify=name_demo if options.demo else None,
-    )
-    # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it is:
-    # nothing else can be done there.
-    unset = not port or firmware is None or is_first_run(settings, paths)
-    begin = "setup" if not options.demo and unset else "dashboard"
 
     def make_setup() -> SetupEngine:
         from birdcage.setup.engine import Setup
@@ -240,6 +229,28 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
 
+    attached = None if options.demo else _attach(paths, settings.dish.port)
+    session: FaceSession
+    if attached is not None:
+        session, unset = attached, False
+    else:
+        port = settings.dish.port or _only_port()
+        firmware = settings.dish.firmware or _detect(port, settings.dish.baud)
+        session = own = open_session(
+            port=port,
+            firmware=_known(firmware or DEMO_FIRMWARE),
+            baud=settings.dish.baud,
+            settings=settings,
+            paths=paths,
+            clock=clock,
+            survey=not options.skip_init,
+            identify=name_demo if options.demo else None,
+            load=load_again,
+        )
+        # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
+        # is: nothing else can be done there.
+        unset = not port or firmware is None or is_first_run(settings, paths)
+
     def keep_place(latitude_deg: float, longitude_deg: float, height_m: float, name: str) -> None:
         from birdcage.base.config import edit
         from birdcage.base.places import moved_settings
@@ -250,14 +261,17 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
         for given in [dotted for dotted in flags if dotted.startswith("place.")]:
             del flags[given]  # what a person says here counts over what was given at the start
 
-    signals, network = SessionSignals(session, settings, load_again), StationNetwork(session.station, load_again)
-    if settings.rotctld.in_app:
-        network.switch()  # what is wrong with it is a warning, and shown
+    signals, network, track = SessionSignals(session, settings, load_again), None, None
+    if attached is None:
+        network = StationNetwork(own.station, load_again)
+        if settings.rotctld.in_app:
+            network.switch()  # what is wrong with it is a warning, and shown
+        track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals)
     return session, replace(
         _app_settings(settings, paths, demo=options.demo),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
-        track=make_track(session, settings, load_again, paths, demo=options.demo, signals=signals),
+        track=track,
         signal=signals,
         network=network,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
@@ -265,8 +279,21 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[Session, AppOptio
         clock_check=make_check(clock, paths),
         ready=None if options.demo else KeptChecks(load_again, paths, clock),  # a demo lacks nothing
         keep_place=keep_place,
-        first_page=begin,
+        first_page="setup" if unset and not options.demo else "dashboard",
     )
+
+
+def _attach(paths: Paths, named: str | None) -> AttachedSession | None:
+    """Attach to the program that has the port; without a named port, to the only program that has one."""
+    from birdcage.station.control_client import find_owners, owners_folder
+
+    owners = find_owners(owners_folder(paths))
+    port = named or (owners[0].port if len(owners) == 1 else "")
+    if not owners or not port:
+        return None
+    from birdcage.station.attached_session import attach_session
+
+    return attach_session(paths, port, PROGRAM)
 
 
 def _only_port() -> str:

@@ -130,7 +130,7 @@ APP = (
         ("ctrl+q",),
         "Ctrl+Q",
         "Quit",
-        "Stop the dish if it moves, close the port, leave.",
+        "Leave. A dish that moves is stopped first, unless another program drives it.",
         "App",
         footer="quit",
         priority=True,

@@ -15,7 +15,7 @@ from birdcage_tui.shown.stop_words import esc_text
 from birdcage_tui.shown.view import YOU, View
 
 if TYPE_CHECKING:
-    from birdcage.station.station import Station
+    from birdcage.station.access import FaceStation
 
 KEEP_S = 10.0
 """While somebody types, the lease is asked for again so often."""
@@ -28,7 +28,7 @@ class Asking:
     """Knows the text in the line, what it would do, and what was said of it."""
 
     def __init__(
-        self, station: Station, sent: LinesSent, history: History, ask: Ask, say: Callable[[str], None]
+        self, station: FaceStation, sent: LinesSent, history: History, ask: Ask, say: Callable[[str], None]
     ) -> None:
         self._station, self._sent, self._ask, self._say = station, sent, ask, say
         self.history = history

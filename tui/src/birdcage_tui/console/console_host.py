@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Protocol
 
-from birdcage.station.session import Session
-from birdcage.station.station import Station
+from birdcage.station.access import FaceSession, FaceStation
 
 from birdcage_tui.console.tap import WireTap
 from birdcage_tui.feeds.settings import AppOptions
@@ -16,8 +15,8 @@ from birdcage_tui.shown.view import View
 class ConsoleHost(Protocol):
     """The app, seen from the console."""
 
-    session: Session
-    station: Station
+    session: FaceSession
+    station: FaceStation
     settings: AppOptions
     tap: WireTap
     tap_problem: str

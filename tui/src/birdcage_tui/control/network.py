@@ -20,6 +20,7 @@ from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.shown.held_words import after_release
 from birdcage_tui.shown.pursuit import pursuit_of
+from birdcage_tui.shown.state_words import through
 from birdcage_tui.shown.track_words import live_words, next_words, plain_name
 from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.pane import Pane
@@ -74,7 +75,7 @@ def now_rows(view: View) -> list[Row]:
         found.append(("Unattended", "warn", state.not_now))
     if state.network is not None:
         found.append(("Server", "text", _served(state.network)))
-    found.append(("Port", "text", f"{state.port.split('?')[0] or '--'}"))
+    found.append(("Port", "text", through(state.port.split("?")[0] or "--", view)))
     return found
 
 
@@ -82,6 +83,13 @@ def _named(state: StationState, holder: str) -> str:
     """Return a holder by its program, where it is a client of the server."""
     clients = () if state.network is None else state.network.clients
     return next((client.label for client in clients if client.name == holder), holder)
+
+
+def _elsewhere(view: View) -> str:
+    """Return why this app runs no server, and what does."""
+    if not view.via:
+        return "No server can be run here."
+    return f"{view.via} drives the dish. `birdcage serve` in another terminal serves programs through it."
 
 
 def _served(network: NetworkState) -> str:
@@ -111,7 +119,7 @@ class ControlPane(Pane):
         if view.state.network is None:
             groups = (
                 now, _lines("Who may move it", MOVERS, cells.width), _lines("In a shell", shell, cells.width),
-                _lines("", (("Server", "dim", OFF),), cells.width),
+                _lines("", (("Server", "dim", _elsewhere(view) if view.via else OFF),), cells.width),
             )  # fmt: skip
         air = sum(map(len, groups)) + len(groups) - 1 <= cells.height
         y = 0
@@ -214,7 +222,7 @@ class NetworkPane(Vertical):
         state = host.view().state
         match command:
             case "network-serve":
-                host.say("No server can be run here." if host.network is None else host.network.switch())
+                host.say(_elsewhere(host.view()) if host.network is None else host.network.switch())
             case "network-take":
                 host.ask(AcquireLease(YOU, take_over=True, for_s=TAKE_MIN * 60.0))
                 host.say(f"You have control for {TAKE_MIN} minutes.")
@@ -224,7 +232,9 @@ class NetworkPane(Vertical):
                 clients.move(state.network, 1 if command == "network-down" else -1)
             case "network-hang-up":
                 chosen = clients.client(state.network)
-                if chosen is not None and host.network is not None:
+                if host.network is None:
+                    host.say(_elsewhere(host.view()))
+                elif chosen is not None:
                     host.network.hang_up(chosen.number)
                     host.say(f"Hung up on {chosen.label}. It may connect again.")
             case _:

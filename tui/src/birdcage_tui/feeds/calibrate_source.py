@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from birdcage.calibration.guide import Guide
     from birdcage.calibration.peak import MeasuredPeak
     from birdcage.sky.targets.model import Target
-    from birdcage.station.session import Session
+    from birdcage.station.access import FaceSession
 
     from birdcage_tui.feeds.calibrate_feed import MakeCalibrate, Show
 
@@ -38,7 +38,7 @@ Deed = Callable[["Guide"], str]
 """Does something, and says what it did."""
 
 
-def make_calibrate(session: Session, load: Callable[[], Settings], paths: Paths, *,
+def make_calibrate(session: FaceSession, load: Callable[[], Settings], paths: Paths, *,
                    environ: Mapping[str, str] | None = None, flags: Mapping[str, object] | None = None,
                    threads: bool = True) -> MakeCalibrate:  # fmt: skip
     """Return what opens the calibration of a session; `load` reads the settings. `threads=False`: a test steps it."""
@@ -58,7 +58,7 @@ def make_calibrate(session: Session, load: Callable[[], Settings], paths: Paths,
 class GuideDesk:
     """The `CalibrateSource` of a running app. Everything but `look` and the orders runs on its own thread."""
 
-    def __init__(self, open_guide: Callable[[Settings], Guide], load: Callable[[], Settings], session: Session,
+    def __init__(self, open_guide: Callable[[Settings], Guide], load: Callable[[], Settings], session: FaceSession,
                  paths: Paths, show: Show, *, threads: bool) -> None:  # fmt: skip
         self._open_guide, self._load, self._paths, self._show = open_guide, load, paths, show
         self._clock, self._threads = session.clock, threads

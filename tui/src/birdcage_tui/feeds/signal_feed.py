@@ -8,7 +8,7 @@ from typing import Protocol
 from birdcage.signal.monitor import SignalMonitor
 from birdcage.signal.source import Hear, SignalReading
 from birdcage.signal.tuner import TUNER, TunerSource
-from birdcage.station.station import Station
+from birdcage.station.access import FaceStation
 
 from birdcage_tui.shown.signal_book import SignalBook
 
@@ -30,7 +30,7 @@ class SignalFeed:
     """Nothing is read before `begin`, nor after `close`."""
 
     def __init__(
-        self, sources: SignalSources | None, station: Station, soon: Callable[[Callable[[], None]], object],
+        self, sources: SignalSources | None, station: FaceStation, soon: Callable[[Callable[[], None]], object],
         changed: Callable[[], object],
     ) -> None:  # fmt: skip
         """Without `sources` there is the dish's own tuner."""

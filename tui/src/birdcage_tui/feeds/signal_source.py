@@ -11,14 +11,14 @@ if TYPE_CHECKING:
     from birdcage.signal.monitor import SignalMonitor
     from birdcage.signal.receiver import ReceiverSource
     from birdcage.signal.source import Hear
-    from birdcage.station.session import Session
+    from birdcage.station.access import FaceSession
 
 
 class SessionSignals:
     """Made when they are first asked for: the app after its first frame, or the desk on a thread of its own."""
 
     def __init__(
-        self, session: Session, settings: Settings, load: Callable[[], Settings], *, threads: bool = True
+        self, session: FaceSession, settings: Settings, load: Callable[[], Settings], *, threads: bool = True
     ) -> None:
         """`load` reads the settings again. `threads=False`: a test calls the receiver's `step`."""
         self._session, self._settings, self._load, self._threads = session, settings, load, threads

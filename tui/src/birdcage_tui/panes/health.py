@@ -11,7 +11,7 @@ from birdcage_tui.commands.everywhere import can_end_search
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut
 from birdcage_tui.shown.hardware import hardware_is_well, hardware_words
-from birdcage_tui.shown.state_words import LINK, SEARCH, age_text
+from birdcage_tui.shown.state_words import LINK, SEARCH, age_text, through
 from birdcage_tui.shown.view import Trip, View
 from birdcage_tui.widgets.pane import Pane
 
@@ -150,7 +150,7 @@ class HealthPane(Pane):
         told = (_UNKNOWN, "clock", "--") if clock is None else ((clock.glyph, clock.ink), "clock", clock.words)
         return [
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}{f', {trip}{noise}' if up else ''}"),
-            (_OK if up else _UNKNOWN, "port", f"{state.port.split('?')[0] or '--'}{heard}"),
+            (_OK if up else _UNKNOWN, "port", f"{through(state.port.split('?')[0] or '--', view)}{heard}"),
             *((_NO, subject, words) for subject, words in state.warnings.items()),
             (_UNKNOWN if state.homed is None else ok if state.homed else _NO, "homed", homed),
             (

@@ -61,7 +61,7 @@ from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.status import BadDayRow, TopRow
 
 if TYPE_CHECKING:
-    from birdcage.station.session import Session
+    from birdcage.station.access import FaceSession
 
 
 class BirdcageApp(App[None]):
@@ -77,7 +77,7 @@ class BirdcageApp(App[None]):
     ]
     """One for each key of the table: what it does depends on what has the focus."""
 
-    def __init__(self, session: Session, settings: AppOptions | None = None) -> None:
+    def __init__(self, session: FaceSession, settings: AppOptions | None = None) -> None:
         super().__init__()
         self.settings = settings or AppOptions()
         self.session, self.station, self.network = session, session.station, self.settings.network

@@ -7,8 +7,8 @@ from functools import partial
 from typing import Protocol
 
 from birdcage.base.errors import BirdcageError
+from birdcage.station.access import FaceStation
 from birdcage.station.requests import AcknowledgeFault, Release
-from birdcage.station.station import Station
 from textual.app import App
 
 from birdcage_tui import commands
@@ -31,7 +31,7 @@ class DeedHost(ContextHost, Protocol):
     """The app, seen from its commands."""
 
     settings: AppOptions
-    station: Station
+    station: FaceStation
     questions: Questions
 
     @property

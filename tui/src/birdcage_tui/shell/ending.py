@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import Protocol
 
 from birdcage.base.signals import STATUS
-from birdcage.station.station import Station
+from birdcage.station.access import FaceSession, FaceStation
 from textual.app import App
 
 from birdcage_tui.feeds.sky_feed import SkyFeed
@@ -19,7 +19,8 @@ from birdcage_tui.shown.view import YOU, is_moving
 class EndingHost(Protocol):
     """The app, seen from its end."""
 
-    station: Station
+    station: FaceStation
+    session: FaceSession
     keys: KeyQueue
     sky: SkyFeed
     track: TrackFeed
@@ -46,7 +47,7 @@ class Ending:
         self.leave()
 
     def leave(self, by: str = YOU, status: int = 0) -> None:
-        """STOP first if anything moves; give the terminal back."""
+        """STOP first if a dish of ours moves; give the terminal back."""
         self._stop_what_moves(by)
         self._host.keys.close()
         self._host.sky.close()
@@ -57,11 +58,13 @@ class Ending:
         # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
         self._host.track.close()
         if moving:
-            self._host.station.stop(by, leaving=True)
+            self._host.session.leave(by)
 
     def by_signal(self, number: int) -> None:
         """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""
         self.number = number
+        if number == signal.SIGINT and self._host.session.via and is_moving(self._host.station.state):
+            self._host.station.stop("Ctrl+C")  # a person's; what else ends this app leaves that station alone
         self._stop_what_moves("signal")
         self._host.soon(self.leave_by_signal)
 

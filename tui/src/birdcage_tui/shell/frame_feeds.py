@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from birdcage.station.session import Session
+from birdcage.station.access import FaceSession
 
 from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
 from birdcage_tui.feeds.clock_watch import ClockWatch
@@ -32,7 +32,7 @@ class FrameFeeds:
     """Makes the feeds by the settings. `changed` is told on the app's thread; `news`, too, for what a pursuit tells."""
 
     def __init__(
-        self, session: Session, settings: AppOptions, soon: Soon, changed: Callable[[], None], *,
+        self, session: FaceSession, settings: AppOptions, soon: Soon, changed: Callable[[], None], *,
         news: Callable[[], None], show_sky: Show, say: Callable[[str], None], bell: Callable[[], None],
     ) -> None:  # fmt: skip
         self._session, self._settings, self._changed = session, settings, changed
@@ -113,4 +113,5 @@ class FrameFeeds:
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,
             ready=self.ready.now,
+            via=self._session.via,
         )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
-from birdcage.station.session import Session
+from birdcage.station.access import FaceSession
 from birdcage.station.state import StationState
 
 from birdcage_tui.feeds.app_host import AppHost
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 class ContextHost(AppHost, Protocol):
     """The app, seen from what its commands are judged by."""
 
-    session: Session
+    session: FaceSession
     motions: Motions
     stage: PageStage
 

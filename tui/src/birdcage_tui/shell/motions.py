@@ -8,6 +8,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Protocol
 
+from birdcage.station.access import FaceStation
 from birdcage.station.requests import (
     AcquireLease,
     Goto,
@@ -19,7 +20,6 @@ from birdcage.station.requests import (
     Stow,
     TurnSkew,
 )
-from birdcage.station.station import Station
 
 from birdcage_tui.commands.jog import STEPS_DEG
 from birdcage_tui.feeds.horizon_book import HorizonBook
@@ -34,7 +34,7 @@ Motion = Goto | Jog | TurnSkew | Home | Stow
 class MotionHost(Protocol):
     """The app, seen from your motions."""
 
-    station: Station
+    station: FaceStation
     horizon: HorizonBook
     track: TrackFeed
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.base.config import feed_label
 from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.state import Activity, LinkPhase, Pointing, TvSearch
 from birdcage.station.task_state import TaskPhase
@@ -53,6 +54,11 @@ def age_text(age_s: float) -> str:
     if age_s < 120:
         return f"{age_s:.0f}s"
     return f"{age_s / 60:.0f}m" if age_s < 7200 else f"{age_s / 3600:.0f}h"
+
+
+def through(port: str, view: View) -> str:
+    """Return a port, and the program that drives the dish there for this one: `/dev/ttyUSB0 via birdcage serve`."""
+    return f"{port} via {view.via.partition(' (')[0]}" if view.via else port
 
 
 def uncertainty_text(position: Pointing) -> str:
@@ -156,6 +162,8 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if view.crash:
         words = f"✖ BIRDCAGE FAILED  {view.crash}  The values are old. birdcage sends nothing more to the dish."
         return "fault-row", f"{words} Press Ctrl+Q and start again. In an emergency use the {power_switch(view)}."
+    if (unstopped := _stop_lost(view)) is not None:
+        return "fault-row", unstopped
     if (about_to := countdown_of_task(view)) is not None:
         return "warn-row", about_to
     if state.fault is not None:
@@ -192,9 +200,26 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if view.late:
         return (
             "warn",
-            f"{LATE} NO REPLY for {age_text(view.reply_age_s or 0.0)}  The port is open; the dish does not answer.",
+            f"{LATE} NO REPLY for {age_text(view.reply_age_s or 0.0)}  {_mute(view)}",
         )
     return None
+
+
+def _stop_lost(view: View) -> str | None:
+    """Return what is so where a STOP did not get through to the program that drives the dish; None where it did."""
+    stopped = view.state.last_stop
+    if not view.via or stopped is None or stopped.confirmed is not False or stopped.means is not StopMeans.NO_LINK:
+        return None
+    if view.state.held is not None and view.link_up:
+        return None  # the row of HELD tells it
+    return f"✖ STOP DID NOT GET THROUGH  {stopped.sentence}"
+
+
+def _mute(view: View) -> str:
+    """Return what does not answer, as far as that is known here."""
+    if view.via:
+        return f"{view.via}, or the dish behind it, does not answer."
+    return "The port is open; the dish does not answer."
 
 
 TASKS = {"recovery": "HOMES after its restart", "park": "PARKS: no program has asked for a motion lately",
@@ -254,7 +279,9 @@ def _standing(view: View, *, brief: bool) -> str:
         return doubt.replace("doubtful: ", "")
     if brief and finding is not None and finding.brief:
         return finding.brief
-    parts = [feed_label(state.feed_name)] if state.feed_name else []
+    parts = [f"attached to {view.via}"] if view.via else []
+    if state.feed_name:
+        parts.append(feed_label(state.feed_name))
     if state.beam is not None:
         parts.append(f"beam {state.beam.size}")
     if state.az_offset_deg or state.el_offset_deg:

@@ -117,6 +117,8 @@ class View:
     """What the calibration shows; None before its tab was visited."""
     ready: tuple[Check, ...] | None = None
     """What the station lacks; None before that was looked at, and where it can't be told."""
+    via: str = ""
+    """The program that drives the dish: `birdcage station run (process 4711)`. Empty where this one does itself."""
 
     @property
     def position_age_s(self) -> float | None:

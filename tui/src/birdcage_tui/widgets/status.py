@@ -11,7 +11,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, pad, wrap
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.state_words import ACTIVITY, LATE, LINK, age_text, bad_day, calm
+from birdcage_tui.shown.state_words import ACTIVITY, LATE, LINK, age_text, bad_day, calm, through
 from birdcage_tui.shown.track_words import STATUS, countdown_s, live_words
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -25,6 +25,10 @@ MUST = 5
 
 LEAST_NAME = 6
 """Columns that a longer name of who has control is cut to, at least."""
+
+
+ATTACHED = " ATTACHED "
+"""What stands before the time where another program drives the dish."""
 
 
 class StatusLine(Pane):
@@ -41,6 +45,9 @@ class StatusLine(Pane):
         if view.state.demo:
             end -= 6
             cells.put(end, 0, " DEMO ", "target-row")
+        if view.via and cells.width >= NARROW:
+            end -= len(ATTACHED)
+            cells.put(end, 0, ATTACHED, "accent-row")
         x = 1
         fields = self._fields(view, wide=cells.width >= 110)
         whose = fields[MUST - 1]
@@ -111,7 +118,7 @@ class StatusLine(Pane):
             tilt = " tilt" if leans else ""
             fields.append((f"offset {state.az_offset_deg:+.2f} {state.el_offset_deg:+.2f}{tilt}", "bar"))
         if wide and state.port:
-            fields.append((state.port.split("?")[0], "bar-dim"))
+            fields.append((through(state.port.split("?")[0], view), "bar-dim"))
         if wide and state.firmware_version:
             fields.append((f"firmware {state.firmware_version}", "bar-dim"))
         return fields
