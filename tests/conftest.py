@@ -7,6 +7,7 @@ import itertools
 import os
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -129,6 +130,43 @@ def at_import(tmp_path: Path) -> Callable[[str, str], dict[str, str]]:
         return {"PYTHONPATH": str(tmp_path)}
 
     return at_import
+
+
+@pytest.fixture
+def begin_slowly(
+    monkeypatch: pytest.MonkeyPatch,
+) -> Callable[[Callable[[], object], Callable[[], object]], list[BaseException]]:
+    """Call `start`, whose thread takes a while to begin, and `close` on another thread meanwhile.
+
+    Returns what went wrong there.
+    """
+
+    def begin_slowly(start: Callable[[], object], close: Callable[[], object]) -> list[BaseException]:
+        begins, closed, wrong = threading.Event(), threading.Event(), list[BaseException]()
+        really = threading.Thread.start
+
+        def slowly(thread: threading.Thread) -> None:
+            begins.set()
+            closed.wait(0.2)  # as long as `close` waits for it, as it should
+            really(thread)
+
+        def close_meanwhile() -> None:
+            begins.wait(5.0)
+            try:
+                close()
+            except RuntimeError as error:
+                wrong.append(error)
+            closed.set()
+
+        other = threading.Thread(target=close_meanwhile)
+        other.start()
+        with monkeypatch.context() as patch:
+            patch.setattr(threading.Thread, "start", slowly)
+            start()
+        other.join(10.0)
+        return wrong
+
+    return begin_slowly
 
 
 def _refuse_skip(report: pytest.TestReport | pytest.CollectReport) -> None:

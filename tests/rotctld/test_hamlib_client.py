@@ -58,6 +58,11 @@ class Served:
         command = ["rotctl", "-m", "2", "-r", f"127.0.0.1:{self.service.address[1]}", *words]
         return subprocess.run(command, capture_output=True, text=True, timeout=30, check=False, input=typed).stdout
 
+    def prompt(self):
+        """Start one whose prompt stays open."""
+        command = ["rotctl", "-m", "2", "-r", f"127.0.0.1:{self.service.address[1]}"]
+        return subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
 
 @pytest.fixture
 def served():
@@ -78,9 +83,12 @@ def test_it_parks_drives_and_stops(served):
     assert served.rotctl("K") == ""
     served.wait_at(180.0, 40.0)
     served.wait_for(lambda state: state.holder is None)  # the one that parked it has left
-    interactive = served.rotctl(typed="M 8 50\nq\n")  # left: counter-clockwise
-    assert "error" not in interactive
-    served.wait_for(lambda state: state.position.az_deg < 179.0)
+    with served.prompt() as rotctl:
+        rotctl.stdin.write("M 8 50\n")  # left: counter-clockwise
+        rotctl.stdin.flush()
+        served.wait_for(lambda state: state.position.az_deg < 179.0)
+        said, _ = rotctl.communicate("q\n", timeout=30)
+    assert "error" not in said
     served.wait_for(lambda state: state.holder is None)
     interactive = served.rotctl(typed="P 300 40\nS\nq\n")
     assert "error" not in interactive

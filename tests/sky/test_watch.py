@@ -269,3 +269,9 @@ def test_a_fault_of_the_watch_is_told_and_ends_nothing_else(path, monkeypatch):
         pytest.skip("the thread never ran")
     assert isinstance(watch.crash, ZeroDivisionError)
     assert "division by zero" in told[-1].note
+
+
+def test_a_watch_that_is_closed_as_it_starts_ends_in_order(tmp_path, begin_slowly):
+    watch = SkyWatch(tmp_path / "none.sqlite", lambda _now: None, RealClock(), observer=HERE)
+    assert begin_slowly(watch.start, lambda: watch.close(5.0)) == []
+    assert not any(thread.name == "sky" for thread in threading.enumerate())

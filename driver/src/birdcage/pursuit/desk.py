@@ -31,6 +31,8 @@ class PursuitDesk(PursuitOrders):
         self._orders = _OrderQueue()
         self._work = DeskWork(station, clock, setup, self._orders.put, threads=threads)
         self._thread: threading.Thread | None = None
+        self._starting = threading.Lock()
+        """Kept until the thread runs: one that was not started yet can't be waited for."""
         self._closing = False
         self._now = DeskNow(clock.utc())
         self._unsubscribe = station.subscribe(self._hear, PursuitChanged, Followed, LinkChanged)
@@ -45,8 +47,9 @@ class PursuitDesk(PursuitOrders):
     def start(self) -> None:
         """Begin, in a daemon thread where there are threads."""
         if self._threads:
-            self._thread = threading.Thread(target=self._run, name="pursuit", daemon=True)
-            self._thread.start()
+            with self._starting:
+                self._thread = threading.Thread(target=self._run, name="pursuit", daemon=True)
+                self._thread.start()
 
     def close(self, timeout_s: float = 0.3) -> None:
         """End the desk, before the station is closed. What is being followed is offered at the next start.
@@ -56,11 +59,13 @@ class PursuitDesk(PursuitOrders):
         self._closing = True
         self._unsubscribe()
         self._orders.wake.set()
-        if self._thread is not None:
-            self._thread.join(timeout_s)
-        if self._thread is None:
+        with self._starting:
+            thread = self._thread
+        if thread is not None:
+            thread.join(timeout_s)
+        if thread is None:
             self._work.end()
-        if self._thread is None or not self._thread.is_alive():
+        if thread is None or not thread.is_alive():
             self._orders.wake.close()
 
     @property

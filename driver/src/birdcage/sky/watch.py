@@ -90,18 +90,21 @@ class SkyWatch:
 
     def start(self) -> None:
         """Begin to watch, in a daemon thread."""
-        self._thread = threading.Thread(target=self._run, name="sky", daemon=True)
-        self._thread.start()
+        with self._lock:  # else `close` might join a thread that was not started yet
+            self._thread = threading.Thread(target=self._run, name="sky", daemon=True)
+            self._thread.start()
 
     def close(self, timeout_s: float = 0.1) -> None:
         """End the watch. A thread in the middle of a bite dies with the program if it takes longer."""
         self._closing = True
         self._wake.set()
-        if self._thread is not None:
-            self._thread.join(timeout_s)
+        with self._lock:
+            thread = self._thread
+        if thread is not None:
+            thread.join(timeout_s)
         if self._process is not None:
             self._process.close()
-        if self._thread is None or not self._thread.is_alive():
+        if thread is None or not thread.is_alive():
             self._wake.close()
 
     def set_observer(self, observer: Observer | None) -> None:
