@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from birdcage.rotctld.program_guess import ProgramGuess
+from birdcage.rotctld.session_lines import SessionDirection, parse_session_line
 from birdcage.station.network_state import NetworkProgram
 
 
@@ -25,3 +28,15 @@ def test_it_is_known_by_how_it_talks(session, program):
         at, _, command = each.partition(" ")
         guess.hear(command, float(at))
     assert guess.program is program
+
+
+def test_gpredict_is_known_by_its_recording_and_taken_for_no_other():
+    recording = Path(__file__).parent / "recordings" / "gpredict-2.3-across-north.txt"
+    lines = [parse_session_line(line) for line in recording.read_text("ascii").splitlines()]
+    guess, guessed = ProgramGuess(), []
+    for line in lines:
+        if line.direction is SessionDirection.CLIENT:
+            guess.hear(line.data.decode("ascii").strip(), line.utc.timestamp())
+            guessed.append(guess.program)
+    assert set(guessed) == {NetworkProgram.UNKNOWN, NetworkProgram.GPREDICT}
+    assert guessed[3:] == [NetworkProgram.GPREDICT] * len(guessed[3:])
