@@ -1,7 +1,8 @@
-"""Hamlib's own `rotctl -m 2` against the server, on threads and a real clock."""
+"""Hamlib's own `rotctl -m 2` and its Python binding against the server, on threads and a real clock."""
 
 from __future__ import annotations
 
+import json
 import shutil
 import subprocess
 import time
@@ -18,6 +19,30 @@ from birdcage.station.requests import Goto
 from birdcage.station.state import Activity
 
 pytestmark = pytest.mark.skipif(shutil.which("rotctl") is None, reason="Hamlib's rotctl is not installed")
+
+SYSTEM_PYTHON = "/usr/bin/python3"
+"""Hamlib's binding belongs to the system's Python, not to ours."""
+BINDING = """
+import json, sys
+import Hamlib
+
+Hamlib.rig_set_debug(Hamlib.RIG_DEBUG_NONE)
+rot = Hamlib.Rot(Hamlib.ROT_MODEL_NETROTCTL)
+rot.set_conf("rot_pathname", sys.argv[1])
+
+def did(value=None):
+    print(json.dumps([value, rot.error_status]), flush=True)
+
+did(rot.open())
+for line in sys.stdin:
+    match line.split():
+        case ["read"]: did(rot.get_position())
+        case ["set", az, el]: did(rot.set_position(float(az), float(el)))
+        case ["name"]: did(rot.get_info())
+        case ["stop"]: did(rot.stop())
+        case ["park"]: did(rot.park())
+did(rot.close())
+"""
 
 
 class Served:
@@ -109,3 +134,44 @@ def test_an_interactive_session_of_many_commands(served):
     assert "Azimuth: " in said
     assert "Info: Carryout G2" in said
     assert said.count("error") == 1  # R 1: no program in the network restarts or homes a dish
+
+
+@pytest.fixture
+def binding(served):
+    """Open the server with Hamlib's binding in the system's Python; return what it does, and ends, line by line."""
+    known = subprocess.run([SYSTEM_PYTHON, "-c", "import Hamlib"], capture_output=True, check=False)
+    if known.returncode:
+        pytest.skip("Hamlib's Python binding is not installed (python3-hamlib)")
+    program = subprocess.Popen(
+        [SYSTEM_PYTHON, "-E", "-c", BINDING, f"127.0.0.1:{served.service.address[1]}"],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    assert json.loads(program.stdout.readline()) == [None, 0]
+
+    def did(what):
+        program.stdin.write(f"{what}\n")
+        program.stdin.flush()
+        return json.loads(program.stdout.readline())
+
+    yield did
+    last, _ = program.communicate(timeout=10)
+    assert json.loads(last) == [None, 0]
+    assert program.returncode == 0
+
+
+def test_its_python_binding_opens_reads_sets_and_closes(served, binding):
+    assert binding("set 200 45") == [None, 0]
+    served.wait_at(200.0, 45.0)
+    where, status = binding("read")
+    assert (where, status) == (pytest.approx([200.0, 45.0], abs=0.1), 0)
+    assert binding("name") == ["Carryout G2\n", 0]
+    assert binding("set 300 45") == [None, 0]
+    served.wait_for(lambda state: state.motion is not None)
+    assert binding("stop") == [None, 0]
+    served.wait_for(lambda state: state.activity is Activity.IDLE)
+    assert not 290.0 < served.state.position.az_deg < 310.0
+
+
+def test_an_error_reaches_a_program_with_the_binding(served, binding):
+    served.service.shutdown()
+    assert binding("read")[1] < 0
