@@ -29,13 +29,13 @@ def served(tmp_path) -> Iterator[OwnerStandIn]:
     port.touch()
     owner = OwnerStandIn(str(port))
     folder = owners_folder(Paths.default())
-    owner.server = ControlServer(owner, folder)
+    owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen)
     owner.link(LinkPhase.UP)
     owner.found = find_owner(folder, str(port))
 
     def serve_again() -> None:
         """Let another program have the port, after this one's server was closed."""
-        owner.server = ControlServer(owner, folder)
+        owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen)
         owner.link(LinkPhase.UP)
 
     owner.serve_again = serve_again

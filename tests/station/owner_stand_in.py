@@ -6,6 +6,7 @@ import threading
 from concurrent.futures import Future
 
 from birdcage.base.clock import VirtualClock
+from birdcage.link.transcript import Transcript
 from birdcage.station.events import LinkChanged, StopConfirmed
 from birdcage.station.requests import Request
 from birdcage.station.state import LinkPhase, LinkState, StationState, StopReport
@@ -23,6 +24,8 @@ class OwnerStandIn:
         self.asked: list[Request] = []
         self.answers: dict[type, object] = {}
         """What requests of these types are answered; the others get None."""
+        self.transcript = Transcript(None, version="test")
+        self.steering = False
         self.thawed = threading.Event()
         """While it is not set, STOP does not come back, as in a program that is frozen."""
         self.thawed.set()
@@ -31,6 +34,12 @@ class OwnerStandIn:
     @property
     def state(self) -> StationState:
         return self.board.state
+
+    def is_steering(self) -> bool:
+        return self.steering
+
+    def pass_on_wire(self, direction, data: bytes) -> None:
+        self.transcript.record(direction, data, self.clock.utc())
 
     def submit(self, request: Request) -> Future[object]:
         self.asked.append(request)

@@ -7,15 +7,17 @@ import time
 from dataclasses import replace
 
 import pytest
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import BadMessage, CommandRefused
 from birdcage.base.paths import Paths
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.ladder import StopMeans
+from birdcage.station.attach_messages import wire_from_json
 from birdcage.station.attached_session import AttachedSession, attach_session, what_goes_on
 from birdcage.station.control_client import owner_file, owners_folder
 from birdcage.station.raw import Grade, MenuCommand
 from birdcage.station.requests import ApplySettings, Connect, ListCommands, ReloadSettings, Unwatch, Watch
 from birdcage.station.state import Activity, LinkPhase, Motion, Pointing, StationState
+from birdcage.station.wire_stream import AT_ONCE, KEPT, WireStream
 
 from .attached_bench import served, until
 
@@ -101,6 +103,68 @@ def test_the_next_program_is_asked_for_what_this_app_looks_at(app, owner):
     until(lambda: app.station.is_attached and len(owner.asked) > before)
     again = owner.asked[before:]
     assert [(type(each), each.features) for each in again] == [(Watch, frozenset({"position"}))]
+
+
+def test_the_wire_is_told_while_somebody_wants_it(app, owner):
+    heard = []
+    owner.pass_on_wire(">", b"before\r")
+    end = app.on_wire(lambda entry: heard.append((entry.direction, entry.data, app.station.is_steering())))
+    until(lambda: owner.transcript._listeners)
+    owner.pass_on_wire(">", b"a 0 180\r")
+    owner.steering = True
+    owner.pass_on_wire(">", b"a 0 181\r")
+    owner.pass_on_wire("<", b"\x1b[2J caf\xe9 \r\n")
+    until(lambda: len(heard) == 3)
+    assert heard == [
+        (">", b"a 0 180\r", False), (">", b"a 0 181\r", True), ("<", b"\x1b[2J caf\xe9 \r\n", False),
+    ]  # fmt: skip
+    end()
+    until(lambda: not owner.transcript._listeners)
+
+
+def test_the_wire_of_the_next_program_is_heard_too(app, owner):
+    heard = []
+    app.on_wire(heard.append)
+    until(lambda: owner.transcript._listeners)
+    owner.server.close()
+    until(lambda: not app.station.is_attached)
+    assert not owner.transcript._listeners
+    owner.serve_again()
+    until(lambda: owner.transcript._listeners)
+    owner.pass_on_wire("<", b"MOT> ")
+    until(lambda: [entry.data for entry in heard] == [b"MOT> "])
+
+
+def test_pieces_that_are_not_read_fast_enough_are_counted(owner):
+    woken = []
+    stream = WireStream(owner, owner.transcript.listen, lambda: woken.append(1))
+    stream.hear(on=True)
+    for number in range(KEPT + 7):
+        owner.pass_on_wire("<", b"%d\r\n" % number)
+    pieces, missed = wire_from_json(json.loads(stream.next_line()))
+    assert missed == 7
+    assert len(pieces) == AT_ONCE
+    assert pieces[0].entry.data == b"7\r\n"
+    assert len(woken) == KEPT + 7
+    assert wire_from_json(json.loads(stream.next_line()))[1] == 0
+    stream.close()
+    assert stream.next_line() == b""
+    assert not owner.transcript._listeners
+
+
+def test_a_program_that_passes_no_wire_on_says_so(owner):
+    with pytest.raises(CommandRefused):
+        WireStream(owner, None, lambda: None).hear(on=True)
+
+
+@pytest.mark.parametrize(
+    "wrong", [{"pieces": [["no line", False]]}, {"pieces": [[1, 2]]}, {"pieces": "x"}, {"missed": "many"}, {}]
+)
+def test_a_wire_that_is_garbage_is_refused(wrong):
+    told = {"v": 1, "type": "WirePassed", "missed": 0, "pieces": []}
+    assert wire_from_json(told) == ([], 0)
+    with pytest.raises(BadMessage):
+        wire_from_json({**told, **(wrong or {"v": 99})})
 
 
 def test_a_program_that_does_not_answer_a_stop_is_told_of(app, owner):

@@ -184,6 +184,24 @@ def test_a_program_that_is_frozen_is_told_of_once_stop_has_no_answer(owner, size
 
 
 @pytest.mark.parametrize("size", SIZES)
+def test_the_console_hears_the_wire_of_the_other_program_from_its_first_opening(owner, size):
+    owner.board.change(menu="mot")
+
+    async def listen(app, pilot):
+        assert not owner.transcript._listeners
+        await pilot.press("5")
+        await until(pilot, lambda: owner.transcript._listeners)
+        owner.pass_on_wire(">", b"help\r")
+        owner.pass_on_wire("<", b"help\r\nunheard of\r\nMOT> ")
+        await until(pilot, lambda: "unheard of" in text_of(app))
+        await pilot.press("i", *"a 0 100")
+        await until(pilot, lambda: "MOVES" in text_of(app))
+        assert "MOT>" in text_of(app)
+
+    run(owner, listen, size)
+
+
+@pytest.mark.parametrize("size", SIZES)
 def test_the_server_for_other_programs_is_elsewhere(owner, size):
     async def look(app, pilot):
         await pilot.press("2", "N")

@@ -154,7 +154,7 @@ class Ready(MenuRaw):
 
 def heard(raw, *chunks):
     """Return the prompt that F5 shows, and what the answer to a poll is taken for, as it comes in pieces."""
-    tap = WireTap(lambda: False)
+    tap = WireTap(lambda: False, lambda _take: lambda: None)
     log = WireLog(tap, raw)
     lines = []
     for way, data in chunks:

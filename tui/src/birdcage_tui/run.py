@@ -130,7 +130,7 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             from birdcage.station.inhibitor import SleepInhibitor
 
             # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
-            stack.callback(ControlServer(session.station, owners_folder(paths), PROGRAM).close)
+            stack.callback(ControlServer(session.station, owners_folder(paths), PROGRAM, session.on_wire).close)
             stack.callback(SleepInhibitor(session.station).close)
         if settings.network is not None:
             stack.callback(settings.network.close)

@@ -131,7 +131,9 @@ def open_dish(
         signals = take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
-            stack.callback(ControlServer(dish.station, owners_folder(wanted.paths), _program()).close)
+            stack.callback(
+                ControlServer(dish.station, owners_folder(wanted.paths), _program(), dish.session.on_wire).close
+            )
         if moves:
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()

@@ -1,4 +1,4 @@
-"""What a program that is attached to a station and the station's program say to each other: one JSON object a line.
+r"""What a program that is attached to a station and the station's program say to each other: one JSON object a line.
 
     asked      {"v": 1, "token": "…", "by": "…", "request": {"v": 1, "type": "Attach", "name": "anna (pts/3)"}}
     answered   {"v": 1, "ok": true, "result": {"name": "anna (pts/3)", "host": "anna (pts/1)", "at": 3182.3, …}}
@@ -16,13 +16,19 @@ which all of that came to be. A state is never older than the event or the answe
     told       {"v": 1, "type": "StateChanged", "changes": {"position": …}}
     told       {"v": 1, "type": "PositionRead", …}
 
+A caller that asks for `HearWire` is told what passes on the wire, too, behind all else, as the transcript has it and
+whether a pursuit has sent it. `missed` pieces before these were dropped, as they were not read fast enough:
+
+    asked      {"v": 1, "id": 8, "request": {"v": 1, "type": "HearWire", "on": true}}
+    told       {"v": 1, "type": "WirePassed", "missed": 0, "pieces": [["2026-03-20T12:00:00.123Z > a\\r", false], …]}
+
 The last line is an `EventsEnded`, which says why. `attached_caller` serves, `attached` asks.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cache
@@ -35,16 +41,18 @@ from birdcage.base.text import clean
 from birdcage.rotator.feature import Reading
 from birdcage.station import requests as ask
 from birdcage.station.feature_report import error_values
-from birdcage.station.json_form import VERSION, check_version, request_from_json
+from birdcage.station.json_form import VERSION, check_version, request_from_json, request_types
 from birdcage.station.json_shapes import FieldsShape, shape_of
 from birdcage.station.json_values import MOST, Shape, shown
-from birdcage.station.raw import CONSOLE, MenuCommand, RawReply
+from birdcage.station.raw import CONSOLE, MenuCommand, RawReply, TranscriptEntry, format_line, parse_line
 from birdcage.station.state import Pointing, StationState
 
 YOU = "you"
 """How a face calls the person at its own terminal. In a station that is the person at the station's own program."""
 LONGEST_NAME = 60
-STATE_TOLD, STATE_CHANGED = "StateTold", "StateChanged"
+NAMED = frozenset({"holder", "by", "previous", "next_holder", "watcher"})
+"""Fields of requests, events and the state that name somebody."""
+STATE_TOLD, STATE_CHANGED, WIRE_PASSED = "StateTold", "StateChanged", "WirePassed"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +80,22 @@ class Attached:
     """What the station's program is: `birdcage station run`."""
 
 
+@dataclass(frozen=True, slots=True)
+class HearWire:
+    """Tell what passes on the wire from now on (`WirePassed`), or no longer."""
+
+    on: bool
+
+
+@dataclass(frozen=True, slots=True)
+class WirePiece:
+    """What passed on the wire at once, or a remark."""
+
+    entry: TranscriptEntry
+    steered: bool
+    """Whether a pursuit has sent it."""
+
+
 def name_here() -> str:
     """Return how the person at this program is called in other programs: `anna (pts/3)`; `anna (process 4711)`."""
     try:
@@ -89,6 +113,18 @@ def check_name(attach: Attach) -> None:
         )
 
 
+def renamed(told: Any, names: Mapping[str, str]) -> Any:  # noqa: ANN401 - any JSON
+    """Return JSON in which who is named in it (`NAMED`) goes by another name."""
+    if isinstance(told, list):
+        return [renamed(each, names) for each in told]
+    if not isinstance(told, dict):
+        return told
+    return {
+        key: names.get(each, each) if key in NAMED and isinstance(each, str) else renamed(each, names)
+        for key, each in told.items()
+    }
+
+
 @cache
 def result_shapes() -> Mapping[type, Shape]:
     """Return how the results of requests look; those that are missing have none, which is null."""
@@ -103,7 +139,7 @@ def result_shapes() -> Mapping[type, Shape]:
     return {kind: shape_of(result) for kind, result in kinds.items()}
 
 
-def asked_from_json(told: object) -> tuple[int, ask.Request | BadMessage]:
+def asked_from_json(told: object) -> tuple[int, ask.Request | HearWire | BadMessage]:
     """Return the number of a request of an attached caller, and the request, or what is wrong with it.
 
     BadMessage for a line without a number: no answer to it could be told from others.
@@ -117,13 +153,37 @@ def asked_from_json(told: object) -> tuple[int, ask.Request | BadMessage]:
         check_version(told, "The line")
         if unknown := [key for key in told if key not in ("v", "id", "request")]:
             raise BadMessage(f"The line has no field {shown(unknown[0])}. It has v, id, request.")
-        request: ask.Request = request_from_json(told.get("request"))
+        request: ask.Request | HearWire = request_from_json(told.get("request"), _askable())
         for field in ("holder", "by", "watcher"):
             if getattr(request, field, None) == YOU:
                 raise BadMessage(f'{type(request).__name__}.{field} is "{YOU}". Give the name that you have here.')
     except BadMessage as error:
         return number, error
     return number, request
+
+
+@cache
+def _askable() -> Mapping[str, type]:
+    return {**request_types(), HearWire.__name__: HearWire}
+
+
+def wire_to_json(pieces: Sequence[WirePiece], missed: int) -> dict[str, object]:
+    """Return what passed on the wire as a line."""
+    told = [[format_line(piece.entry), piece.steered] for piece in pieces]
+    return {"v": VERSION, "type": WIRE_PASSED, "missed": missed, "pieces": told}
+
+
+def wire_from_json(told: Mapping[str, Any]) -> tuple[list[WirePiece], int]:
+    """Return what passed on the wire, and how many pieces before it were dropped. BadMessage for all else."""
+    check_version(told, "The wire")
+    missed: int = shape_of(int).take(told.get("missed"), "missed")
+    found = []
+    for piece in shape_of(tuple[tuple[str, bool], ...]).take(told.get("pieces"), "pieces"):
+        try:
+            found.append(WirePiece(parse_line(piece[0]), piece[1]))
+        except ValueError as error:
+            raise BadMessage(f"The wire holds {error}.") from None
+    return found, missed
 
 
 def answer_to_json(number: int | None, request: type, result: object) -> dict[str, object]:

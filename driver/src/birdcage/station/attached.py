@@ -23,10 +23,15 @@ from birdcage.rotator.ladder import StopMeans
 from birdcage.station.attach_messages import (
     STATE_CHANGED,
     STATE_TOLD,
+    WIRE_PASSED,
     YOU,
+    HearWire,
+    WirePiece,
     name_here,
+    renamed,
     result_from_answer,
     state_from_json,
+    wire_from_json,
 )
 from birdcage.station.control_client import NoAnswer, Owner, OwnerGone, attach_to, find_owner, owners_folder
 from birdcage.station.control_messages import LONGEST_ANSWER, LONGEST_LINE, EndOfEvents, EventsEnded, as_line
@@ -36,6 +41,7 @@ from birdcage.station.feature_report import error_of
 from birdcage.station.holding import hold
 from birdcage.station.json_form import VERSION, event_from_json, parse, to_json
 from birdcage.station.pursuit_state import Phase
+from birdcage.station.raw import TranscriptEntry
 from birdcage.station.request_log import log_request
 from birdcage.station.requests import Request, Stop, Unwatch, Watch
 from birdcage.station.state import Activity, LinkPhase, LinkState, StationState, StopReport
@@ -52,8 +58,6 @@ JOIN_S, FINISH_S = 1.0, 0.5
 ENDED = "The program that drove the dish has ended, or hung up. It is unknown whether the dish moves. Attaching again."
 TOO_SLOW = "This program did not keep up with the station, and was dropped."
 PORT_IS_FREE = "If the dish moves, cut its power. `birdcage stop` opens the port itself."
-NAMED = frozenset({"holder", "by", "previous", "next_holder", "watcher"})
-"""Fields of requests, events and the state that name somebody."""
 
 log = logging.getLogger(__name__)
 
@@ -102,6 +106,7 @@ class AttachedStation:
         self._open: dict[int, tuple[Future[object], type]] = {}
         self._stops: dict[int, _OpenStop] = {}
         """STOPs that are not answered yet."""
+        self._hear_wire: Callable[[WirePiece], None] | None = None
         self._watches: dict[str, Watch] = {}
         """What this face looks at: the next program is asked for it, too."""
         self._owner: Owner | None = None
@@ -150,6 +155,19 @@ class AttachedStation:
             self._watches[request.watcher] = request
         elif isinstance(request, Unwatch):
             self._watches.pop(request.watcher, None)
+        return self._ask(request, future)
+
+    def hear_wire(self, listener: Callable[[WirePiece], None] | None) -> Future[object]:
+        """Call `listener` with what passes on the wire from now on, on a thread of its own; None ends that.
+
+        The future tells as that of `submit` does. Each program that is attached to is asked for it.
+        """
+        self._hear_wire = listener
+        future: Future[object] = Future()
+        future.set_running_or_notify_cancel()
+        return self._ask(HearWire(listener is not None), future)
+
+    def _ask(self, request: Request | HearWire, future: Future[object]) -> Future[object]:
         number = next(self._numbers)
         try:
             line = self._line_of(number, request)
@@ -194,10 +212,10 @@ class AttachedStation:
     def _none_here(self) -> str:
         return f"No birdcage program drives {self._port} now."
 
-    def _line_of(self, number: int, request: Request) -> bytes:
+    def _line_of(self, number: int, request: Request | HearWire) -> bytes:
         """Return a request as a line. CommandRefused for one that has none."""
         try:
-            told = _renamed(to_json(request), self._outward)
+            told = renamed(to_json(request), self._outward)
         except BadMessage as error:
             raise CommandRefused(f"{error} Nothing was sent.", reason=Reason.UNSUPPORTED) from None
         line = as_line({"v": VERSION, "id": number, "request": told})
@@ -270,7 +288,10 @@ class AttachedStation:
         kind = told.get("type")
         if kind == EventsEnded.__name__:
             return next((why for why in EndOfEvents if why.value == told.get("why")), EndOfEvents.CLOSING)
-        told = _renamed(told, self._inward)
+        if kind == WIRE_PASSED:
+            self._pass_wire(told)
+            return None
+        told = renamed(told, self._inward)
         if kind in (STATE_TOLD, STATE_CHANGED):
             is_first = self._told is None
             self._told = state_from_json(told, self._told or StationState())
@@ -279,10 +300,21 @@ class AttachedStation:
                 self._met.set()
                 for watch in list(self._watches.values()):
                     self.submit(watch)
+                if self._hear_wire is not None:
+                    self.hear_wire(self._hear_wire)
                 self._tell(LinkChanged(*self._store.stamp(), self._told.link))
         else:
             self._tell(event_from_json(told))
         return None
+
+    def _pass_wire(self, told: Mapping[str, Any]) -> None:
+        pieces, missed = wire_from_json(told)
+        if missed and pieces:
+            words = f"{missed} events are not shown here. The transcript file has them."
+            pieces.insert(0, WirePiece(TranscriptEntry(pieces[0].entry.utc, "#", words.encode()), steered=False))
+        for piece in pieces:
+            if self._hear_wire is not None:
+                self._hear_wire(piece)
 
     def _answered(self, told: Mapping[str, Any]) -> None:
         number = told["id"]
@@ -363,15 +395,3 @@ class _OpenStop:
     """When it was called, in monotonic seconds of this program."""
     told: bool = False
     """Whether it was said that no answer came."""
-
-
-def _renamed(told: Any, names: Mapping[str, str]) -> Any:  # noqa: ANN401 - any JSON
-    """Return JSON in which who is named in it goes by another name."""
-    if isinstance(told, list):
-        return [_renamed(each, names) for each in told]
-    if not isinstance(told, dict):
-        return told
-    return {
-        key: names.get(each, each) if key in NAMED and isinstance(each, str) else _renamed(each, names)
-        for key, each in told.items()
-    }

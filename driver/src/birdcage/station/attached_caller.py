@@ -12,7 +12,15 @@ from dataclasses import dataclass, replace
 
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.reason import Reason
-from birdcage.station.attach_messages import Attach, Attached, answer_to_json, asked_from_json, name_here, state_to_json
+from birdcage.station.attach_messages import (
+    Attach,
+    Attached,
+    HearWire,
+    answer_to_json,
+    asked_from_json,
+    name_here,
+    state_to_json,
+)
 from birdcage.station.attachments import Attachments
 from birdcage.station.control_messages import ENDS, LONGEST_LINE, EndOfEvents, as_line, done
 from birdcage.station.duplex_lines import DuplexLines
@@ -22,6 +30,7 @@ from birdcage.station.json_form import parse, to_json
 from birdcage.station.requests import Request, Stop, Unwatch, Watch
 from birdcage.station.state import StationState
 from birdcage.station.station import Station
+from birdcage.station.wire_stream import WireStream
 
 MOST_OPEN = 100
 """Requests of one caller that are not answered yet."""
@@ -57,6 +66,7 @@ class AttachedCaller:
         self._watchers: set[str] = set()
         self._open: set[Future[object]] = set()
         self._lines: DuplexLines | None = None
+        self._wire = WireStream(station, attachments.on_wire, self._wake)
 
     def end(self, why: EndOfEvents) -> None:
         """Send what waits, then a last line. Any thread."""
@@ -75,6 +85,7 @@ class AttachedCaller:
             lines.send(as_line(done(self._attach, self._welcome())))
             self._talk(lines)
         finally:
+            self._wire.close()
             unsubscribe()
             unwatch()
             for watcher in self._watchers:
@@ -128,7 +139,7 @@ class AttachedCaller:
         self._put(_Answer(None, type(None), error))
         self.end(EndOfEvents.BAD_LINE)
 
-    def _take(self, number: int, request: Request | BadMessage) -> None:
+    def _take(self, number: int, request: Request | HearWire | BadMessage) -> None:
         kind: type = type(request)
         if isinstance(request, BadMessage):
             self._put(_Answer(number, kind, request))
@@ -136,6 +147,8 @@ class AttachedCaller:
             log.debug("%s: STOP", request.by)
             self._station.stop(request.by)
             self._put(_Answer(number, kind, None))
+        elif isinstance(request, HearWire):
+            self._put(_Answer(number, kind, self._hear_wire(on=request.on)))
         elif len(self._open) >= MOST_OPEN:
             words = f"{MOST_OPEN} requests wait for their answers already. Nothing was sent: wait for one of them."
             self._put(_Answer(number, kind, BirdcageError(words, reason=Reason.BUSY)))
@@ -143,6 +156,13 @@ class AttachedCaller:
             future = self._station.submit(self._as_own(request))
             self._open.add(future)
             future.add_done_callback(lambda future: self._answer(number, kind, future))
+
+    def _hear_wire(self, *, on: bool) -> BirdcageError | None:
+        try:
+            self._wire.hear(on=on)
+        except BirdcageError as error:
+            return error
+        return None
 
     def _as_own(self, request: Request) -> Request:
         """Return a request as the station gets it: a watch goes by a name of its own and ends with its caller."""
@@ -199,7 +219,7 @@ class AttachedCaller:
             first, self._told_last = not self._told_last, True
             return as_line(to_json(ENDS[ended])) if first else b""
         is_due = self._told is None or time.monotonic() >= self._told_at + STATE_S
-        return self._tell(state) if is_due else b""
+        return (self._tell(state) if is_due else b"") or self._wire.next_line()
 
     def _tell(self, state: StationState) -> bytes:
         told = None if state is self._told else state_to_json(state, self._told)

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from concurrent.futures import Future
 
-from birdcage.base.errors import BirdcageError, CommandRefused
+from birdcage.base.errors import CommandRefused
 from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
 from birdcage.rotator import machines
 from birdcage.rotator.raw import CommandDoc, RawLines
 from birdcage.rotator.verdict import Grade
+from birdcage.station.attach_messages import WirePiece
 from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
 from birdcage.station.menu_commands import MenuCommands
@@ -32,6 +33,7 @@ class AttachedFaceStation(AttachedStation):
     def __init__(self, paths: Paths, port: str, *, by: str) -> None:
         super().__init__(paths, port, by=by)
         self._config_file = paths.config_file
+        self._steered = False
         self._spoken: str | None = None
         self._raw: RawLines | None = None
         self._menus = MenuCommands(None)
@@ -65,11 +67,21 @@ class AttachedFaceStation(AttachedStation):
         return raw is not None and raw.is_prompt(text)
 
     def is_steering(self) -> bool:
-        """Return whether a pursuit sends what goes out now."""
-        state = self.state
-        live = state.pursuit
-        followed = live is not None and live.phase is Phase.FOLLOWING and state.holder == live.holder
-        return followed and state.held is None
+        """Return whether a pursuit has sent what `on_wire` tells now: the station's program knows."""
+        return self._steered
+
+    def on_wire(self, listener: Callable[[TranscriptEntry], None]) -> Callable[[], None]:
+        """Hear the wire of the station's program (`FaceSession.on_wire`)."""
+
+        def hear(piece: WirePiece) -> None:
+            self._steered = piece.steered
+            listener(piece.entry)
+
+        def end() -> None:
+            self.hear_wire(None)
+
+        self.hear_wire(hear)
+        return end
 
     def commands(self, menu: str | None) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told this app."""
@@ -132,9 +144,8 @@ class AttachedSession:
         """Do nothing: it is attached already."""
 
     def on_wire(self, listener: Callable[[TranscriptEntry], None]) -> Callable[[], None]:
-        """Hear the wire of the station's program."""
-        del listener
-        raise BirdcageError(f"Only {self.via} hears the wire.")
+        """Hear the wire of the station's program, and of each one after it."""
+        return self.station.on_wire(listener)
 
     def leave(self, by: str) -> None:
         """Stop nothing: the station goes on."""

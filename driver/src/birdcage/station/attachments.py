@@ -10,6 +10,7 @@ from birdcage.station.events import Event
 from birdcage.station.requests import ReleaseLease
 from birdcage.station.state import MOVING, StationState
 from birdcage.station.station import Station
+from birdcage.station.wire_stream import OnWire
 
 
 class Attachments:
@@ -18,10 +19,10 @@ class Attachments:
     The motion of a program that is gone goes on to its end, and so do its tasks; then its control is given back.
     """
 
-    def __init__(self, station: Station, program: str = "birdcage") -> None:
+    def __init__(self, station: Station, program: str = "birdcage", on_wire: OnWire | None = None) -> None:
         self._station = station
-        self.program = program
-        """How the station's program is called by those that are attached."""
+        self.program, self.on_wire = program, on_wire
+        """How the station's program is called by those that are attached, and how its wire is heard."""
         self._lock = threading.Lock()
         self._holders: dict[str, set[str]] = {}
         """By whom is attached: the names under which it has asked for something."""

@@ -25,6 +25,7 @@ from birdcage.station.control_client import owner_file
 from birdcage.station.events import Event, LinkChanged
 from birdcage.station.state import LinkPhase
 from birdcage.station.station import Station
+from birdcage.station.wire_stream import OnWire
 
 ANSWERED_S = 0.3
 """How long closing waits for answers, and last lines, that are being sent."""
@@ -37,17 +38,20 @@ OUTSIDE = "outside"
 class ControlServer:
     """Called by other processes of the same user. Never announced for a simulated dish inside this process."""
 
-    def __init__(self, station: Station, folder: Path, program: str = "birdcage") -> None:
+    def __init__(
+        self, station: Station, folder: Path, program: str = "birdcage", on_wire: OnWire | None = None
+    ) -> None:
         """Listen for `station`; `folder` is where owners leave their files. OSError when that cannot be done.
 
-        `program` is how this one is called by those that are attached.
+        `program` is how this one is called by those that are attached; `on_wire` lets them hear the wire
+        (`Session.on_wire`).
         """
         self._station, self._folder = station, folder
         self._token = secrets.token_hex(16)
         self._file: Path | None = None
         self._lock = threading.Lock()
         self._callers: list[ControlCaller] = []
-        self._watches, self._attachments = OutsideWatches(), Attachments(station, program)
+        self._watches, self._attachments = OutsideWatches(), Attachments(station, program, on_wire)
         self._wake = Wake()
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._listener.setblocking(False)

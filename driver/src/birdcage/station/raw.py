@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 
 from birdcage.link.transcript_join import LineJoiner
-from birdcage.link.transcript_line import Direction, TranscriptEntry, format_line, printable
+from birdcage.link.transcript_line import Direction, TranscriptEntry, format_line, parse_line, printable
 from birdcage.rotator.verdict import Grade, Verdict
 
 __all__ = [
@@ -21,6 +21,7 @@ __all__ = [
     "TranscriptEntry",
     "Verdict",
     "format_line",
+    "parse_line",
     "parse_mark",
     "printable",
 ]  # fmt: skip

@@ -19,8 +19,6 @@ class ConsoleHost(Protocol):
     station: FaceStation
     settings: AppOptions
     tap: WireTap
-    tap_problem: str
-    """Why the wire cannot be heard, in a sentence; empty when it can."""
 
     def view(self) -> View:
         """Return what one frame shows, now."""

@@ -81,8 +81,9 @@ class ConsoleOverlay(Container):
     def on_mount(self) -> None:
         """Begin to look at the wire."""
         self._flushes = self.set_interval(FLUSH_S, self._flush)
-        if self._shell.tap_problem:
-            self._remark(self._shell.tap_problem)
+        self._tap.begin()
+        if self._tap.problem:
+            self._remark(self._tap.problem)
 
     # Open and closed.
 

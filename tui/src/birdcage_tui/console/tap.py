@@ -7,16 +7,24 @@ from collections import deque
 from collections.abc import Callable
 from datetime import datetime
 
+from birdcage.base.errors import BirdcageError
 from birdcage.station.raw import TranscriptEntry
 
 KEPT = 5000
 """How many events wait at most for somebody who looks."""
 
+OnWire = Callable[[Callable[[TranscriptEntry], None]], Callable[[], None]]
+"""`FaceSession.on_wire`."""
+
 
 class WireTap:
     """Keeps the newest events until they are taken, and counts all. `take_in` is for any thread, and quick."""
 
-    def __init__(self, is_steering: Callable[[], bool]) -> None:
+    def __init__(self, is_steering: Callable[[], bool], on_wire: OnWire) -> None:
+        self._on_wire = on_wire
+        self._begun = False
+        self.problem = ""
+        """Why nothing of the wire is heard, as a sentence."""
         self._lock = threading.Lock()
         self._is_steering = is_steering
         self._events: deque[tuple[TranscriptEntry, bool]] = deque(maxlen=KEPT)
@@ -25,6 +33,16 @@ class WireTap:
         self.bytes_out = 0
         self.since: datetime | None = None
         """When the first byte passed."""
+
+    def begin(self) -> None:
+        """Begin to hear the wire; a second time does nothing."""
+        if self._begun:
+            return
+        self._begun = True
+        try:
+            self._on_wire(self.take_in)
+        except BirdcageError as problem:
+            self.problem = str(problem)
 
     def take_in(self, event: TranscriptEntry) -> None:
         """Take one event, and whether a pursuit has just sent it: later it would look like a STOP."""

@@ -16,7 +16,6 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from birdcage.base.errors import BirdcageError
 from birdcage.station.events import Event, MoveEnded
 from birdcage.station.requests import Goto, Request
 from textual import events, on
@@ -88,10 +87,8 @@ class BirdcageApp(App[None]):
         self.questions = Questions(self, self)
         self.deeds = Deeds(self, self)
         self.ending = Ending(self, self)
-        self.tap = WireTap(self.station.is_steering)
+        self.tap = WireTap(self.station.is_steering, session.on_wire)
         """What passes on the wire, from the first byte on; the console takes it out."""
-        self.tap_problem = ""
-        """Why nothing of the wire is heard, as a sentence."""
         self.feeds = FrameFeeds(
             session, self.settings, self.soon, self.frames.changed,
             news=self._news, show_sky=lambda sky: self.post_message(SkyChanged(sky)), say=self.say, bell=self.bell,
@@ -140,10 +137,8 @@ class BirdcageApp(App[None]):
         self.presets.load()
         self.signals.begin()
         self._unsubscribe = self.station.subscribe(self._tell)
-        try:
-            self.session.on_wire(self.tap.take_in)
-        except BirdcageError as problem:
-            self.tap_problem = str(problem)
+        if not self.session.via:  # else another program would have to pass it on, before anybody looks
+            self.tap.begin()
         self.session.start()
         self.feeds.begin(self.settings.place)
         self.stage.watch()
