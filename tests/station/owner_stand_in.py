@@ -44,7 +44,11 @@ class OwnerStandIn:
     def submit(self, request: Request) -> Future[object]:
         self.asked.append(request)
         future: Future[object] = Future()
-        future.set_result(self.answers.get(type(request)))
+        answer = self.answers.get(type(request))
+        if isinstance(answer, Exception):
+            future.set_exception(answer)
+        else:
+            future.set_result(answer)
         return future
 
     def stop(self, by: str) -> None:

@@ -7,15 +7,26 @@ import time
 from dataclasses import replace
 
 import pytest
-from birdcage.base.errors import BadMessage, CommandRefused
+from birdcage.base.errors import BadMessage, CommandRefused, LeaseDenied
 from birdcage.base.paths import Paths
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.ladder import StopMeans
 from birdcage.station.attach_messages import wire_from_json
 from birdcage.station.attached_session import AttachedSession, attach_session, what_goes_on
 from birdcage.station.control_client import owner_file, owners_folder
-from birdcage.station.raw import Grade, MenuCommand
-from birdcage.station.requests import ApplySettings, Connect, ListCommands, ReloadSettings, Unwatch, Watch
+from birdcage.station.events import LeaseChanged
+from birdcage.station.raw import CONSOLE, OTHER_CONSOLE, Grade, MenuCommand, RawReply
+from birdcage.station.requests import (
+    AcquireLease,
+    ApplySettings,
+    Connect,
+    ListCommands,
+    Raw,
+    ReleaseLease,
+    ReloadSettings,
+    Unwatch,
+    Watch,
+)
 from birdcage.station.state import Activity, LinkPhase, Motion, Pointing, StationState
 from birdcage.station.wire_stream import AT_ONCE, KEPT, WireStream
 
@@ -103,6 +114,32 @@ def test_the_next_program_is_asked_for_what_this_app_looks_at(app, owner):
     until(lambda: app.station.is_attached and len(owner.asked) > before)
     again = owner.asked[before:]
     assert [(type(each), each.features) for each in again] == [(Watch, frozenset({"position"}))]
+
+
+def test_the_console_of_another_program_is_not_this_ones(app, owner):
+    def lease(holder, previous=None):
+        owner.board.change(holder=holder)
+        owner.board.tell(LeaseChanged(*owner.board.stamp(), holder, previous))
+
+    lease(CONSOLE)
+    until(lambda: app.station.state.holder == OTHER_CONSOLE)
+    app.station.submit(AcquireLease(CONSOLE, take_over=True)).result(5)
+    assert app.station.state.holder == CONSOLE
+    lease(None, CONSOLE)
+    until(lambda: app.station.state.holder is None)
+    lease(CONSOLE)
+    until(lambda: app.station.state.holder == OTHER_CONSOLE)
+    owner.answers = {Raw: RawReply("a", (), "mot", "MOT>", 0.1)}
+    app.station.submit(Raw("a", CONSOLE)).result(5)
+    assert app.station.state.holder == CONSOLE
+    app.station.submit(ReleaseLease(CONSOLE)).result(5)
+    lease(None, CONSOLE)
+    lease(CONSOLE)
+    until(lambda: app.station.state.holder == OTHER_CONSOLE)
+    owner.answers = {Raw: LeaseDenied("Somebody has control.")}
+    with pytest.raises(LeaseDenied):
+        app.station.submit(Raw("a", CONSOLE)).result(5)
+    assert app.station.state.holder == OTHER_CONSOLE
 
 
 def test_the_wire_is_told_while_somebody_wants_it(app, owner):
@@ -201,5 +238,6 @@ def test_its_end_without_a_program_says_that_nothing_is_known(app, owner):
 
 def test_what_goes_on_is_told_in_words():
     assert what_goes_on(StationState()) == ""
+    assert what_goes_on(StationState(raw_activity=True)) == "a raw line may have set the dish in motion"
     assert what_goes_on(StationState(activity=Activity.HOMING)) == "the dish homes"
     assert what_goes_on(StationState(activity=Activity.MOVING_UNASKED)) == "the dish moves"

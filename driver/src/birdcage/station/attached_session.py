@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import Future
+from dataclasses import replace
 
 from birdcage.base.errors import CommandRefused
 from birdcage.base.paths import Paths
@@ -14,10 +15,11 @@ from birdcage.rotator.verdict import Grade
 from birdcage.station.attach_messages import WirePiece
 from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
+from birdcage.station.events import Event, LeaseChanged
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.pursuit_state import Phase
-from birdcage.station.raw import MenuCommand, TranscriptEntry, Verdict
-from birdcage.station.requests import ApplySettings, Connect, ListCommands, ReloadSettings, Request
+from birdcage.station.raw import CONSOLE, OTHER_CONSOLE, MenuCommand, TranscriptEntry, Verdict
+from birdcage.station.requests import AcquireLease, ApplySettings, Connect, ListCommands, Raw, ReloadSettings, Request
 from birdcage.station.session import farewell
 from birdcage.station.state import MOVING, Activity, LinkPhase, StationState
 
@@ -33,10 +35,24 @@ class AttachedFaceStation(AttachedStation):
     def __init__(self, paths: Paths, port: str, *, by: str) -> None:
         super().__init__(paths, port, by=by)
         self._config_file = paths.config_file
-        self._steered = False
+        self._steered = self._talks = False
+        """Whether what `on_wire` tells was sent by a pursuit; and whether it is this app that has the console."""
+        self._elsewhere: tuple[StationState, StationState] | None = None
+        """The last state in which somebody else has it, as told, and as it is shown here."""
         self._spoken: str | None = None
         self._raw: RawLines | None = None
         self._menus = MenuCommands(None)
+        self.subscribe(self._hear_lease, LeaseChanged)
+
+    @property
+    def state(self) -> StationState:
+        """What is known now. A console that another program has is `OTHER_CONSOLE`: every program calls its own so."""
+        state = super().state
+        if state.holder != CONSOLE or self._talks:
+            return state
+        if self._elsewhere is None or self._elsewhere[0] is not state:
+            self._elsewhere = state, replace(state, holder=OTHER_CONSOLE)
+        return self._elsewhere[1]
 
     @property
     def has_prompt(self) -> bool:
@@ -103,9 +119,19 @@ class AttachedFaceStation(AttachedStation):
                 f"{self.via} has {self.state.port}. To use {request.port}, end that program and start this one again."
             )
         future = super().submit(request)
+        if isinstance(request, AcquireLease | Raw | ListCommands) and request.holder == CONSOLE:
+            # Answers and events come in their order: what is heard of the lease before this one is older.
+            future.add_done_callback(self._took_console)
         if isinstance(request, ListCommands):
             future.add_done_callback(self._learn)
         return future
+
+    def _took_console(self, future: Future[object]) -> None:
+        self._talks = self._talks or future.exception() is None
+
+    def _hear_lease(self, event: Event) -> None:
+        if isinstance(event, LeaseChanged) and event.holder != CONSOLE:
+            self._talks = False
 
     def _learn(self, future: Future[object]) -> None:
         self._language()
@@ -173,9 +199,11 @@ def what_goes_on(state: StationState) -> str:
     if state.tasks:
         return f"the dish carries out {state.tasks[0].kind}"
     motion = state.motion
+    if state.raw_motion:
+        return "a raw line may have set the dish in motion"
     if motion is not None:
         return f"the dish moves to AZ {motion.to_az_deg:.2f} EL {motion.to_el_deg:.2f}°"
-    return "the dish moves" if state.activity in MOVING or state.raw_motion else ""
+    return "the dish moves" if state.activity in MOVING else ""
 
 
 def attach_session(paths: Paths, port: str, by: str) -> AttachedSession | None:

@@ -12,6 +12,7 @@ from birdcage.rotator.verdict import Grade, Verdict
 __all__ = [
     "CONSOLE",
     "IDLE_S",
+    "OTHER_CONSOLE",
     "Direction",
     "Grade",
     "LineJoiner",
@@ -28,6 +29,8 @@ __all__ = [
 
 CONSOLE = "console"
 """The lease holder's name while somebody talks to the firmware."""
+OTHER_CONSOLE = "other console"
+"""How an attached app calls that holder while the one who talks sits elsewhere."""
 IDLE_S = 30.0
 """After so long without a line the console is given back."""
 

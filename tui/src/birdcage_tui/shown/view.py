@@ -12,7 +12,7 @@ from birdcage.base.presets import Preset
 from birdcage.signal.source import MONITOR, SignalFacts
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.pursuit_state import Phase
-from birdcage.station.raw import CONSOLE
+from birdcage.station.raw import CONSOLE, OTHER_CONSOLE
 from birdcage.station.state import MOVING, Activity, LinkPhase, Motion, StationState
 
 from birdcage_tui.shown.clock_told import ClockTold
@@ -164,7 +164,7 @@ class View:
         """
         if not (self.watched and self.link_up) or self.state.activity in (Activity.HOMING, Activity.INITIALIZING):
             return False
-        if self.state.holder == CONSOLE or self.modelled or self.on_an_untold_way:
+        if self.state.holder in (CONSOLE, OTHER_CONSOLE) or self.modelled or self.on_an_untold_way:
             return False
         return self.reply_age_s is not None and self.reply_age_s > LATE_S
 
@@ -245,7 +245,7 @@ def is_moving(state: StationState) -> bool:
 
 def may_move(state: StationState, desk: DeskNow | None) -> bool:
     """Return whether the dish moves, or may without a word of yours: by a raw line, another holder or a pursuit."""
-    by_itself = state.holder not in (None, CONSOLE, YOU) and state.held is None
+    by_itself = state.holder not in (None, CONSOLE, OTHER_CONSOLE, YOU) and state.held is None
     pursued = state.pursuit is not None and state.pursuit.phase is not Phase.OVER
     pursued = pursued or (desk is not None and desk.autotrack and state.held is None)
     return is_moving(state) or state.raw_motion or by_itself or pursued
