@@ -124,14 +124,14 @@ def test_the_console_of_another_program_is_not_this_ones(app, owner):
     lease(CONSOLE)
     until(lambda: app.station.state.holder == OTHER_CONSOLE)
     app.station.submit(AcquireLease(CONSOLE, take_over=True)).result(5)
-    assert app.station.state.holder == CONSOLE
+    until(lambda: app.station.state.holder == CONSOLE)
     lease(None, CONSOLE)
     until(lambda: app.station.state.holder is None)
     lease(CONSOLE)
     until(lambda: app.station.state.holder == OTHER_CONSOLE)
     owner.answers = {Raw: RawReply("a", (), "mot", "MOT>", 0.1)}
     app.station.submit(Raw("a", CONSOLE)).result(5)
-    assert app.station.state.holder == CONSOLE
+    until(lambda: app.station.state.holder == CONSOLE)
     app.station.submit(ReleaseLease(CONSOLE)).result(5)
     lease(None, CONSOLE)
     lease(CONSOLE)
