@@ -3,18 +3,22 @@
 import asyncio
 import time
 from dataclasses import fields
+from datetime import timedelta
 
 import pytest
 import stand_in
 from birdcage.base.paths import Paths
 from birdcage.station.attached_session import attach_session
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.requests import Goto, Watch
-from birdcage.station.state import LinkPhase
+from birdcage.station.state import Activity, LinkPhase
+from birdcage.station.task_state import TaskPhase, TaskState
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from stand_in import text_of
 
 from tests.station.attached_bench import served
+from tests.station.pursuit_bench import plan_of
 
 SIZES = [(80, 24), (120, 36), (160, 48)]
 
@@ -199,6 +203,65 @@ def test_the_console_hears_the_wire_of_the_other_program_from_its_first_opening(
         assert "MOT>" in text_of(app)
 
     run(owner, listen, size)
+
+
+def following(owner, phase=Phase.FOLLOWING):
+    """Let the station follow a pass for somebody else."""
+    plan = plan_of(owner.clock.utc().timestamp() - 10.0)
+    pursuit = Pursuit(1, "tracker", plan, PursuitOptions(), phase, owner.clock.monotonic(), "")
+    owner.board.change(pursuit=pursuit, activity=Activity.FOLLOWING, holder="tracker")
+
+
+@pytest.mark.parametrize("size", [*SIZES, (40, 12)])
+def test_a_pass_that_is_followed_there_is_told_on_every_page_that_shows_one(owner, size):
+    following(owner)
+
+    async def look(app, pilot):
+        await until(pilot, lambda: app.station.state.activity is Activity.FOLLOWING)
+        assert "FOLLOW" in text_of(app)
+        for keys in (["2", "c"], ["N"], ["7"], ["1"]) if size[0] >= 80 else ():
+            await pilot.press(*keys)
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            assert "tracker"[:6] in text_of(app).splitlines()[0]
+        await pilot.press("escape")  # the dish moves, so it stops first
+        await until(pilot, lambda: owner.stops)
+
+    app = run(owner, look, size)
+    assert "goes on: the dish follows NOAA 19." in app.said
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_what_counts_down_there_is_told_here(owner, size):
+    following(owner, Phase.COUNTDOWN)
+    soon = owner.clock.utc() + timedelta(seconds=4)
+    task = TaskState(1, "pursuit", "tracker", TaskPhase.COUNTDOWN, owner.clock.monotonic(), "", next_at=soon)
+    owner.board.change(tasks=(task,), activity=Activity.IDLE)
+
+    async def look(app, pilot):
+        await until(pilot, lambda: app.station.state.tasks)
+        assert "▲ MOVES for the pursuit in" in text_of(app).splitlines()[1]
+        assert "Space cancels" in text_of(app).splitlines()[1]
+
+    run(owner, look, size)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_nothing_can_be_followed_from_here_and_the_tab_says_why(owner, size):
+    async def look(app, pilot):
+        await pilot.press("2", "c")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        words = " ".join(text_of(app).split())
+        assert "No tracker here: birdcage (process" in words
+        assert "Loading tracker" not in words
+        await pilot.press("f")
+        await pilot.pause()
+        assert app.feeds.notes.last.startswith("No tracker here:")
+
+    run(owner, look, size)
 
 
 @pytest.mark.parametrize("size", SIZES)

@@ -17,6 +17,7 @@ from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
 from birdcage.station.events import Event, LeaseChanged
 from birdcage.station.menu_commands import MenuCommands
+from birdcage.station.plan_outline import PlanOutline
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import CONSOLE, OTHER_CONSOLE, MenuCommand, TranscriptEntry, Verdict
 from birdcage.station.requests import AcquireLease, ApplySettings, Connect, ListCommands, Raw, ReloadSettings, Request
@@ -37,8 +38,8 @@ class AttachedFaceStation(AttachedStation):
         self._config_file = paths.config_file
         self._steered = self._talks = False
         """Whether what `on_wire` tells was sent by a pursuit; and whether it is this app that has the console."""
-        self._elsewhere: tuple[StationState, StationState] | None = None
-        """The last state in which somebody else has it, as told, and as it is shown here."""
+        self._shown: tuple[StationState, bool, StationState] | None = None
+        """The last state, whether this app had the console, and the state as it is shown here."""
         self._spoken: str | None = None
         self._raw: RawLines | None = None
         self._menus = MenuCommands(None)
@@ -46,13 +47,28 @@ class AttachedFaceStation(AttachedStation):
 
     @property
     def state(self) -> StationState:
-        """What is known now. A console that another program has is `OTHER_CONSOLE`: every program calls its own so."""
-        state = super().state
-        if state.holder != CONSOLE or self._talks:
-            return state
-        if self._elsewhere is None or self._elsewhere[0] is not state:
-            self._elsewhere = state, replace(state, holder=OTHER_CONSOLE)
-        return self._elsewhere[1]
+        """What is known now.
+
+        A console that another program has is `OTHER_CONSOLE`: every program calls its own `CONSOLE`. A pursuit whose
+        plan was told as an outline is left out, as nothing of it can be drawn; that the dish follows stays.
+        """
+        state, talks = super().state, self._talks
+        if self._shown is None or self._shown[0] is not state or self._shown[1] is not talks:
+            here = state
+            if state.holder == CONSOLE and not talks:
+                here = replace(here, holder=OTHER_CONSOLE)
+            if state.pursuit is not None and isinstance(state.pursuit.plan, PlanOutline):
+                here = replace(here, pursuit=None)
+            self._shown = state, talks, here
+        return self._shown[2]
+
+    @property
+    def followed(self) -> str:
+        """What a pursuit follows, or is to follow: `follows NOAA 20`; empty without one."""
+        pursuit = super().state.pursuit
+        if pursuit is None or pursuit.phase is Phase.OVER:
+            return ""
+        return f"{'follows' if pursuit.phase is Phase.FOLLOWING else 'is to follow'} {pursuit.plan.aim.name}"
 
     @property
     def has_prompt(self) -> bool:
@@ -184,16 +200,12 @@ class AttachedSession:
         where = farewell(state.position, state.position_lost, None)
         if not is_attached:
             return f"{state.link.detail} It is unknown whether the dish moves. {where}"
-        going = what_goes_on(state)
+        going = f"the dish {station.followed}" if station.followed else what_goes_on(state)
         return f"{self.via} goes on{f': {going}' if going else ''}. {where}"
 
 
 def what_goes_on(state: StationState) -> str:
-    """Return what the dish is at, as the rest of a sentence; empty while it rests and nothing is planned."""
-    pursuit = state.pursuit
-    if pursuit is not None and pursuit.phase is not Phase.OVER:
-        verb = "follows" if pursuit.phase is Phase.FOLLOWING else "is to follow"
-        return f"the dish {verb} {pursuit.plan.aim.name}"
+    """Return what the dish is at, pursuits aside, as the rest of a sentence; empty while it rests."""
     if state.activity is Activity.HOMING:
         return "the dish homes"
     if state.tasks:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command, Reason
-from birdcage_tui.shown.allowed import CommandContext, can_release, can_step
+from birdcage_tui.shown.allowed import CommandContext, can_release, can_step, desk_awaited
 from birdcage_tui.shown.pursuit import pursuit_of
 
 PAGE, HERE = "control", ("craft",)
@@ -12,7 +12,7 @@ TABS = ("control", "craft", "network")
 
 def can_search(context: CommandContext) -> str | None:
     """Return why no target can be searched for."""
-    return "The tracker is still loading." if context.track is None else None
+    return desk_awaited(context.via) if context.track is None else None
 
 
 def can_watch(context: CommandContext) -> str | None:

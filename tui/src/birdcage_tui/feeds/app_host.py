@@ -49,6 +49,9 @@ class AppHost(Protocol):
     def say(self, words: str) -> None:
         """Put a sentence into row 2, where the calm line is."""
 
+    def say_once(self, words: str) -> None:
+        """Say it, unless that was done in this run."""
+
     def ask(self, request: Request) -> None:
         """Submit a request; if it fails, the sentence of its error is shown."""
 

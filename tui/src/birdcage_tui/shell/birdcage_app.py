@@ -270,6 +270,10 @@ class BirdcageApp(App[None]):
         self.note(words)
         self.paint()
 
+    def say_once(self, words: str) -> None:
+        """Say it, unless that was done in this run."""
+        self.feeds.notes.tell_once(words, self.session.clock.utc())
+
     @property
     def page(self) -> Page:
         """The page that is seen."""

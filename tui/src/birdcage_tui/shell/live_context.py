@@ -56,6 +56,11 @@ class LiveContext:
         return self._host.track.now
 
     @property
+    def via(self) -> str:
+        """The program that drives the dish; empty where this one does itself."""
+        return self._host.session.via
+
+    @property
     def calibrate(self) -> CalibrateNow | None:
         """What the calibration shows."""
         return self._host.calibrate.now

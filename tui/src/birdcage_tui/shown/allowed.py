@@ -45,6 +45,10 @@ class CommandContext(Protocol):
         """What the pursuit desk shows; None before it has told anything."""
 
     @property
+    def via(self) -> str:
+        """The program that drives the dish; empty where this one does itself."""
+
+    @property
     def calibrate(self) -> CalibrateNow | None:
         """What the calibration shows; None before its tab was visited."""
 
@@ -55,6 +59,13 @@ class CommandContext(Protocol):
     @property
     def horizon(self) -> HorizonState:
         """The line of trees and roofs, as it counts now."""
+
+
+def desk_awaited(via: str) -> str:
+    """Return why no target can be followed while the pursuit desk has told nothing; `via` is who drives the dish."""
+    if not via:
+        return "The tracker is still loading."
+    return f"No tracker here: {via} drives the dish. To follow targets, end it and start this app again."
 
 
 def can_move(context: CommandContext, *, though_held: bool = False) -> str | None:

@@ -17,11 +17,18 @@ class Notes:
         self.last = ""
         """What is shown now; empty when that was cleared."""
         self._told: deque[CommandNote] = deque(maxlen=KEPT)
+        self._once: set[str] = set()
 
     @property
     def told(self) -> tuple[CommandNote, ...]:
         """All that is kept."""
         return tuple(self._told)
+
+    def tell_once(self, words: str, utc: datetime) -> None:
+        """Show a sentence that was not shown in this run."""
+        if words not in self._once:
+            self._once.add(words)
+            self.tell(words, utc)
 
     def tell(self, words: str, utc: datetime) -> None:
         """Show a sentence, and keep it."""

@@ -230,7 +230,8 @@ TASKS = {"recovery": "HOMES after its restart", "park": "PARKS: no program has a
 def countdown_of_task(view: View) -> str | None:
     """Return what is about to move by itself, and what stops it; None unless a task counts down. Pursuits tell more."""
     task = next((each for each in view.state.tasks if each.phase is TaskPhase.COUNTDOWN), None)
-    if task is None or task.kind == "pursuit" or task.next_at is None:
+    told_elsewhere = task is not None and task.kind == "pursuit" and view.state.pursuit is not None
+    if task is None or told_elsewhere or task.next_at is None:
         return None
     left_s = max((task.next_at - view.utc).total_seconds(), 0.0)
     why = f"   {view.state.not_now}" if task.kind == "shelter" else ""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import cast
 
+from birdcage.station.requests import EndPursuit
 from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
@@ -15,7 +16,7 @@ from birdcage_tui.feeds.track_feed import TrackSource
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.offer import Offer
 from birdcage_tui.shown.pursuit import plan_of
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.now import TrackNow
@@ -180,6 +181,8 @@ class CraftTab(Vertical):
                 self.host.say("Nothing is offered now. f offers to follow the target.")
             case "track-search":
                 self._open_search()
+            case "track-leave" if source is None:
+                self.host.ask(EndPursuit(YOU))
             case "track-up" | "track-down":
                 self._move(view, 1 if command == "track-down" else -1)
             case "track-view":

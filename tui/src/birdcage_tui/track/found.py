@@ -11,6 +11,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, fit, wrap
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pass_words import count_text, reach_text
+from birdcage_tui.shown.pursuit import loading_words
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -114,7 +115,7 @@ class FoundList(Pane):
         rows = candidates(view)
         if not rows:
             note = "" if view.track is None else view.track.found_note or EMPTY
-            words = "Loading tracker …" if view.track is None else note if view.track.query.strip() else \
+            words = loading_words(view) if view.track is None else note if view.track.query.strip() else \
                 "No favourites, and nothing is up. / searches. On page 7, * marks favourites."  # fmt: skip
             for y, line in enumerate(wrap(words, max(cells.width - 2, 10))):
                 cells.put(1, y, line, "dim")

@@ -25,6 +25,7 @@ from birdcage_tui.widgets.pane import Pane
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
+ENDS_HERE = "Following ends with this terminal. `birdcage station run` goes on without one."
 BROKEN_OFF = (Phase.YIELDED, Phase.INTERRUPTED)
 """Phases in which a pursuit can be taken up again."""
 
@@ -157,6 +158,13 @@ class OfferLine(Pane, can_focus=True):
             carry_out(self.deed, host)
             self._done()
         return True
+
+    def on_focus(self) -> None:
+        """Say once that what lasts ends with this terminal, where this app drives the dish itself."""
+        host = cast(AppHost, self.app)
+        view = host.view()
+        if self.deed != "track-aim" and not view.via and not view.state.demo:
+            host.say_once(ENDS_HERE)
 
     def on_key(self, event: events.Key) -> None:
         """Close it by Backspace, or by Esc (with which the app has stopped the dish first, if it could move)."""
