@@ -21,6 +21,14 @@ from birdcage.station.state import LinkPhase
 from click.testing import CliRunner
 from pty_dish import PtyDish
 
+# A server that systemd starts has its listening socket as descriptor 3, and its own number in the environment.
+AS_SYSTEMD = """
+import os, sys
+os.dup2(int(sys.argv[1]), 3)
+os.environ.update(LISTEN_FDS="1", LISTEN_PID=str(os.getpid()))
+os.execv(sys.executable, [sys.executable, *sys.argv[2:]])
+"""
+
 # A test may itself run in the background of a shell, which then ignores SIGINT for all its children.
 FRESH = """
 import signal
@@ -68,12 +76,14 @@ def run():
 
 @pytest.fixture
 def start():
-    """Start `birdcage` in a process of its own."""
+    """Start `birdcage` in a process of its own; with a socket as systemd passes it, if one is given."""
     started = []
 
-    def start(*words):
+    def start(*words, passed=None):
+        fds = () if passed is None else (passed.fileno(),)
+        systemd = () if passed is None else ("-c", AS_SYSTEMD, str(passed.fileno()))
         process = subprocess.Popen(
-            [sys.executable, "-c", FRESH, *map(str, words)],
+            [sys.executable, *systemd, "-c", FRESH, *map(str, words)], pass_fds=fds,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
         started.append(process)

@@ -82,7 +82,7 @@ def test_what_a_client_moves_is_stopped_before_it_ends(serve, pty_dish, name):
     told = [json.loads(line) for line in out.splitlines()]
     kinds = [each["type"] for each in told]
     assert kinds[0] == "Listening"
-    assert {"ClientCame", "LinkChanged", "MoveStarted", "ClientLeft"} <= set(kinds)
+    assert {"ClientCame", "LinkChanged", "MoveStarted", "StopConfirmed", "MoveEnded", "ClientLeft"} <= set(kinds)
 
 
 def test_what_clients_say_is_kept(serve, pty_dish, tmp_path):
@@ -179,3 +179,24 @@ def test_where_another_program_has_the_port_clients_go_through_that(serve, pty_d
     assert abs(pty_dish.device.truth().az_deg - 200.0) > 5.0
     pty_dish.wait_for(lambda _truth: owner.station.state.holder is None)
     assert owner.station.state.held is None
+
+
+def test_it_serves_on_the_socket_that_systemd_passes_and_early_clients_wait(start, pty_dish):
+    with socket.create_server(("127.0.0.1", 0)) as listener, socket.create_connection(listener.getsockname()) as early:
+        early.settimeout(20)
+        early.sendall(b"_\n")
+        words = ("--port", pty_dish.path, "--firmware", "g2", "--listen-port", 1)
+        process = start("serve", *words, passed=listener)
+        assert early.recv(100) == b"Carryout G2\n"
+        assert f"Listening on 127.0.0.1 port {listener.getsockname()[1]}." in process.stderr.readline()
+        process.send_signal(signal.SIGTERM)
+        process.communicate(timeout=30)
+    assert process.returncode == 128 + signal.SIGTERM
+
+
+def test_a_passed_socket_that_is_none_of_tcp_is_refused(start, pty_dish):
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as datagrams:
+        process = start("serve", "--port", pty_dish.path, "--firmware", "g2", passed=datagrams)
+        _out, err = process.communicate(timeout=30)
+    assert process.returncode == 2
+    assert "ListenStream=127.0.0.1:4533" in err

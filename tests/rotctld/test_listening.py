@@ -10,6 +10,7 @@ import pytest
 from birdcage.base.config import RotctldSettings
 from birdcage.base.errors import ConfigError
 from birdcage.rotctld.listening import is_allowed, listen, who_listens, wide_warning
+from birdcage.rotctld.passed_socket import passed_socket
 
 
 def networks(text):
@@ -75,3 +76,17 @@ def test_one_port_for_both_kinds_of_addresses():
         port = listener.getsockname()[1]
         with socket.create_connection(("127.0.0.1", port), timeout=5):
             pass
+
+
+@pytest.mark.parametrize("environ", [
+    {}, {"LISTEN_PID": "1", "LISTEN_FDS": "1"}, {"LISTEN_FDS": "1"}, {"LISTEN_PID": str(os.getpid())},
+    {"LISTEN_PID": str(os.getpid()), "LISTEN_FDS": "0"}, {"LISTEN_PID": str(os.getpid()), "LISTEN_FDS": "many"},
+])  # fmt: skip
+def test_a_socket_passed_to_another_process_is_not_taken(environ):
+    assert passed_socket(environ) is None
+    assert not any(name.startswith("LISTEN_") for name in environ)
+
+
+def test_more_than_one_passed_socket_is_refused():
+    with pytest.raises(ConfigError, match="2 sockets"):
+        passed_socket({"LISTEN_PID": str(os.getpid()), "LISTEN_FDS": "2", "LISTEN_FDNAMES": "a:b"})

@@ -42,6 +42,8 @@ class StationCommand(ABC):
         self.leave_moving = False
         """Set when the motion shall outlive the command."""
         self.moves = moves
+        self.hear_all: Hear | None = None
+        """Hears every event, to the last one of the station: also while the end of this command waits for STOP."""
         self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
         self.number: int | None = None
         """The signal that ends this command."""
@@ -78,7 +80,10 @@ class StationCommand(ABC):
         """Let go of the station, and return where the dish is left."""
         self.progress.clear()
         self.closing = True
-        return self.let_go()
+        farewell = self.let_go()
+        while not self._events.empty():
+            self._take(self._events.get())
+        return farewell
 
     def look_anew(self) -> None:  # noqa: B027 - on a port of its own it was read as the link came up
         """Have the position read again, where it may be an old one."""
@@ -137,10 +142,15 @@ class StationCommand(ABC):
             event = self._events.get(timeout=SLICE_S)
         except queue.Empty:
             return
-        if isinstance(event, StopConfirmed):
-            self.confirmed = event.report
+        self._take(event)
         if event is not None and hear is not None:
             hear(event)
+
+    def _take(self, event: Event | None) -> None:
+        if isinstance(event, StopConfirmed):
+            self.confirmed = event.report
+        if event is not None and self.hear_all is not None:
+            self.hear_all(event)
 
     @property
     def in_motion(self) -> bool:

@@ -31,20 +31,21 @@ def run_station(
     """Run until a signal ends it, `EndedBySignal` then, or what ended the station's thread.
 
     A lost link, or a dish that is not there yet, ends nothing: the station looks for it. `as_json` prints every event
-    in the form of docs/events.md. `each_time` is called about ten times a second; what it raises ends the run.
+    in the form of docs/events.md, to the last one. `each_time` is called about ten times a second; what it raises ends
+    the run.
     """
     last = ""
 
     def hear(event: Event) -> None:
         nonlocal last
-        if as_json:
-            tell_json(to_json(event))
         if isinstance(event, TOLD):
             words = words_of(event)
             if words != last:
                 say(f"{event.utc:%H:%M:%S}Z  {words}")
             last = words
 
+    if as_json:
+        dish.hear_all = lambda event: tell_json(to_json(event))
     while True:
         dish.look(hear)
         each_time()

@@ -1,10 +1,12 @@
-"""A unit of systemd that keeps a station running for this user, as it is installed here."""
+"""Units of systemd that keep a station or a server running for this user, as it is installed here."""
 
 from __future__ import annotations
 
 import os
 import shutil
+import socket
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +15,7 @@ from birdcage.cli import exits
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
 
-NAME = "birdcage-station.service"
+STATION, SERVER, SOCKET = "birdcage-station.service", "birdcage-rotctld.service", "birdcage-rotctld.socket"
 UNIT = """\
 # Save this as {file}, then:
 #   systemctl --user daemon-reload
@@ -38,26 +40,63 @@ RestartPreventExitStatus={usage}
 [Install]
 WantedBy=default.target
 """
+SOCKET_UNIT = """\
+# Save this as {file}, and beside it what
+# `birdcage serve --print-systemd service` prints, as {service}. Then:
+#   systemctl --user daemon-reload
+#   systemctl --user enable --now {name}
+# systemd listens. The first client starts birdcage, which gets the socket; the client waits for that.
+
+[Unit]
+Description=birdcage: the port for Gpredict and others
+
+[Socket]
+ListenStream={address}
+
+[Install]
+WantedBy=sockets.target
+"""
 KEPT = ("BIRDCAGE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")
 """Variables that say where files are: a station under systemd must find the ones that are found here."""
 
 
 def station_unit(wanted: Wanted, *, skip_init: bool) -> str:
     """Return the unit: the same port, firmware, speed and settings as are wanted now."""
-    words = [*_program(), "station", "run", "--port", wanted.port]
+    return _service(STATION, ["station", "run"], wanted, ["--skip-init"] if skip_init else [])
+
+
+def server_unit(wanted: Wanted, options: Sequence[str]) -> str:
+    """Return the same for `birdcage serve` with these options of its own."""
+    return _service(SERVER, ["serve"], wanted, options)
+
+
+def socket_unit(host: str, port: int) -> str:
+    """Return the unit of the socket that starts that server. OSError for a host of which no address is known."""
+    found = socket.getaddrinfo(host or None, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)
+    family, _, _, _, address = found[0]
+    where = f"[{address[0]}]:{port}" if family == socket.AF_INET6 else f"{address[0]}:{port}"
+    return SOCKET_UNIT.format(file=_folder() / SOCKET, name=SOCKET, service=SERVER, address=where)
+
+
+def _service(name: str, command: list[str], wanted: Wanted, options: Sequence[str]) -> str:
+    words = [*_program(), *command, "--port", wanted.port]
     if wanted.firmware_given:
         words += ["--firmware", wanted.firmware]
     if wanted.baud is not None:
         words += ["--baud", str(wanted.baud)]
     if wanted.paths.config_file.is_file():
         words += ["--config", str(wanted.paths.config_file)]
-    words += ["--skip-init"] if skip_init else []
+    words += options
     kept = "".join(f"Environment={_quoted(f'{name}={os.environ[name]}')}\n" for name in KEPT if name in os.environ)
-    folder = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "systemd/user"
     return UNIT.format(
-        file=folder / NAME, name=NAME, port=wanted.port.replace("%", "%%"), command=" ".join(map(_quoted, words)),
+        file=_folder() / name, name=name, port=wanted.port.replace("%", "%%"), command=" ".join(map(_quoted, words)),
         ended=exits.SIGNAL + 15, usage=exits.USAGE, environment=kept,
     )  # fmt: skip
+
+
+def _folder() -> Path:
+    """Return where systemd looks for units of this user."""
+    return Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "systemd/user"
 
 
 def _program() -> list[str]:

@@ -70,6 +70,11 @@ def listen(host: str, port: int) -> socket.socket:
         listener = socket.create_server(address[:2], family=family, backlog=BACKLOG, dualstack_ipv6=both)
     except OSError as error:
         raise ConfigError(_why_not(host, port, error)) from error
+    return as_listener(listener)
+
+
+def as_listener(listener: socket.socket) -> socket.socket:
+    """Return a socket that listens already, as the server needs it."""
     listener.setblocking(False)
     # Its clients inherit it: what one of them leaves unread is bounded in the system, too.
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, UNREAD_BYTES)

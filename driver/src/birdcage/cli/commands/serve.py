@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import replace
 from pathlib import Path
@@ -45,22 +46,29 @@ NETWORK = "network"
 )
 @click.option("--print-gpredict", is_flag=True, help="Print a .rot file for Gpredict with this dish's limits; no more.")
 @click.option("--print-satnogs", is_flag=True, help="Print the variables for satnogs-client, and do nothing else.")
+@click.option(
+    "--print-systemd", type=click.Choice(["service", "socket"]),
+    help="Print a unit for systemd that runs this, or one of the socket that starts it; no more.",
+)  # fmt: skip
 @global_options()
 def command(
     host: str | None, listen_port: int | None, allow: tuple[str, ...], read_only: bool, strict: bool, skip_init: bool,
     record: str | None, selftest: bool, moves: bool, print_gpredict: bool, print_satnogs: bool,
+    print_systemd: str | None,
 ) -> None:  # fmt: skip
     """Drive the dish for Gpredict, SatNOGS, SatDump and other programs that speak to Hamlib's rotctld.
 
     It listens before the dish answers, and goes on while the cable is out. If another birdcage program has the port,
     clients reach the dish through that one. The first client that asks for a motion
     has control until it leaves. `birdcage stop` stops the dish whoever moves it. Ctrl+C ends the server, STOP first.
+    A socket that systemd passes is listened on, whatever --host and --listen-port say.
     With --json, stdout has what happens in the form of docs/events.md, and a line for each client.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.say import say
     from birdcage.rotctld.listening import listen
+    from birdcage.rotctld.passed_socket import passed_socket
     from birdcage.rotctld.session_recorder import SessionRecorder
 
     given = {
@@ -79,9 +87,16 @@ def command(
             raise click.UsageError("Print one at a time: --print-gpredict or --print-satnogs.")
         _print_settings(wants, gpredict=print_gpredict, given=host is not None or listen_port is not None)
         return
+    if print_systemd is not None:
+        given_here = {
+            "--host": (host,), "--listen-port": (listen_port,), "--allow": allow, "--read-only": (read_only,),
+            "--strict": (strict,), "--skip-init": (skip_init,), "--record": (record and str(Path(record).absolute()),),
+        }  # fmt: skip
+        _print_unit(wants, print_systemd, given_here)
+        return
     # First of all: a port that is taken is told before the dish is asked anything, and early clients wait in line.
     with ExitStack() as stack:
-        listener = stack.enter_context(listen(settings.host, settings.port))
+        listener = stack.enter_context(passed_socket() or listen(settings.host, settings.port))
         recorder = None
         if record is not None:
             recorder = SessionRecorder(Path(record), RealClock(), say)
@@ -150,6 +165,29 @@ def _print_settings(wants: Wanted, *, gpredict: bool, given: bool) -> None:
     else:
         tell(satnogs_variables(place))
         say("Put them into the environment of satnogs-client: with satnogs-setup, or its compose file.")
+
+
+def _print_unit(wants: Wanted, kind: str, given: Mapping[str, Sequence[object]]) -> None:
+    """Print a unit for systemd. `given`: the options of this command with their values; None and False: not given."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.cli.say import tell
+    from birdcage.cli.systemd_unit import server_unit, socket_unit
+
+    settings = wants.settings.rotctld
+    if kind == "socket":
+        try:
+            tell(socket_unit(settings.host, settings.port))
+        except OSError as error:
+            raise ConfigError(f"No address is known for {settings.host}. Name one with --host.") from error
+        return
+    words = [
+        word
+        for option, values in given.items()
+        for value in values
+        if value is not None and value is not False
+        for word in ([option] if value is True else [option, str(value)])
+    ]
+    tell(server_unit(wants, words))
 
 
 def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorder: SessionRecorder | None) -> None:
