@@ -95,7 +95,7 @@ class Session:
         self.started = self.closed = 0
         self.wire = None
         self.crash = None
-        self.via = ""
+        self.via, self.detached = "", False
 
     def leave(self, by):
         self.station.stop(by, leaving=True)

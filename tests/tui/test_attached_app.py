@@ -13,6 +13,8 @@ from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.requests import Goto, Watch
 from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.task_state import TaskPhase, TaskState
+from birdcage_tui import main
+from birdcage_tui import run as run_app
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from stand_in import text_of
@@ -155,6 +157,7 @@ def test_a_program_that_is_gone_is_shown_at_once_and_the_next_one_is_attached_to
         await until(pilot, lambda: app.station.state.link.state is LinkPhase.LOST)
         rows = text_of(app).splitlines()
         assert " LOST " in rows[0]
+        assert " DETACHED " in rows[0]
         assert "LINK LOST" in rows[1]
         await pilot.press("space")
         await until(pilot, lambda: app.station.state.last_stop is not None)
@@ -167,6 +170,7 @@ def test_a_program_that_is_gone_is_shown_at_once_and_the_next_one_is_attached_to
         await until(pilot, lambda: any(isinstance(each, Watch) for each in owner.asked[before:]))
         rows = text_of(app).splitlines()
         assert "IDLE" in rows[0]
+        assert " ATTACHED " in rows[0]
         assert "DID NOT GET THROUGH" not in rows[1]
 
     run(owner, lose, size)
@@ -275,3 +279,26 @@ def test_the_server_for_other_programs_is_elsewhere(owner, size):
         assert "birdcage serve" in text_of(app)
 
     run(owner, look, size)
+
+
+def options(**given):
+    """What `birdcage-tui` was started with, as `main` reads it."""
+    return main.parser().parse_args([word for name, value in given.items() for word in (f"--{name}", value) if word])
+
+
+def test_without_a_named_port_it_attaches_to_the_only_program_that_has_one(owner):
+    session, settings = run_app._build(options(baud="9600"), Paths.default())
+    try:
+        assert session.via.startswith("birdcage (process")
+        assert settings.first_page == "dashboard"
+        assert settings.network is None
+        assert settings.notice.startswith("▲ --baud: without effect here.")
+    finally:
+        session.close()
+
+
+def test_with_another_port_it_opens_that_itself(owner, tmp_path):
+    session, settings = run_app._build(options(port=str(tmp_path / "elsewhere"), firmware="g2"), Paths.default())
+    assert session.via == ""
+    assert settings.network is not None
+    assert settings.notice == ""

@@ -268,7 +268,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             network.switch()  # what is wrong with it is a warning, and shown
         track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals)
     return session, replace(
-        _app_settings(settings, paths, demo=options.demo),
+        _app_settings(settings, paths, demo=options.demo, unheeded=_unheeded(options) if attached else ""),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=track,
@@ -322,12 +322,20 @@ def _known(named: str) -> str:
     return named
 
 
-def _app_settings(settings: Settings, paths: Paths, *, demo: bool) -> AppOptions:
+def _unheeded(options: argparse.Namespace) -> str:
+    """Say which options do not count where another program drives the dish; empty for none."""
+    given = [f"--{name.replace('_', '-')}" for name in ("firmware", "baud", "skip_init") if getattr(options, name)]
+    if not given:
+        return ""
+    return f"▲ {', '.join(given)}: without effect here. The program that has the port was started with its own."
+
+
+def _app_settings(settings: Settings, paths: Paths, *, demo: bool, unheeded: str = "") -> AppOptions:
     place = settings.place
     here = None
     if place.latitude_deg is not None and place.longitude_deg is not None:
         here = SitePlace(place.latitude_deg, place.longitude_deg, place.name or "")
-    notice = settings.problems[0].text if settings.problems else ""
+    notice = settings.problems[0].text if settings.problems else unheeded
     chosen = "app.glyphs" in settings.sources
     return AppOptions(
         theme=settings.app.theme,

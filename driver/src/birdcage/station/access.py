@@ -82,6 +82,10 @@ class FaceSession(Protocol):
     def via(self) -> str:
         """The program that drives the dish for this one: `birdcage station run`. Empty where this one does itself."""
 
+    @property
+    def detached(self) -> bool:
+        """Whether the program that drove the dish for this one is gone, and no other was found."""
+
     def start(self) -> None:
         """Begin, after the first frame."""
 

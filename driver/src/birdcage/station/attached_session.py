@@ -182,6 +182,11 @@ class AttachedSession:
         """The program that drives the dish, or did last."""
         return self.station.via or "another program"
 
+    @property
+    def detached(self) -> bool:
+        """Whether no program is attached to now."""
+        return not self.station.is_attached
+
     def start(self) -> None:
         """Do nothing: it is attached already."""
 

@@ -63,6 +63,11 @@ class Session:
         """Empty: this program drives the dish itself (`FaceSession`)."""
         return ""
 
+    @property
+    def detached(self) -> bool:
+        """False: there is no other program (`FaceSession`)."""
+        return False
+
     def step(self, seconds: float) -> None:
         """Run the station on this thread for so many seconds of its clock."""
         if self._thread is not None:

@@ -114,4 +114,5 @@ class FrameFeeds:
             calibrate=self.calibrate.now,
             ready=self.ready.now,
             via=self._session.via,
+            detached=self._session.detached,
         )

@@ -119,6 +119,8 @@ class View:
     """What the station lacks; None before that was looked at, and where it can't be told."""
     via: str = ""
     """The program that drives the dish: `birdcage station run (process 4711)`. Empty where this one does itself."""
+    detached: bool = False
+    """Whether that program is gone, and no other was found."""
 
     @property
     def position_age_s(self) -> float | None:

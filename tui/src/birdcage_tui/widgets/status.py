@@ -27,8 +27,8 @@ LEAST_NAME = 6
 """Columns that a longer name of who has control is cut to, at least."""
 
 
-ATTACHED = " ATTACHED "
-"""What stands before the time where another program drives the dish."""
+ATTACHED, DETACHED = (" ATTACHED ", "accent-row"), (" DETACHED ", "fault-row")
+"""What stands before the time where another program drives the dish, or did so last; and its ink."""
 
 
 class StatusLine(Pane):
@@ -46,8 +46,9 @@ class StatusLine(Pane):
             end -= 6
             cells.put(end, 0, " DEMO ", "target-row")
         if view.via and cells.width >= NARROW:
-            end -= len(ATTACHED)
-            cells.put(end, 0, ATTACHED, "accent-row")
+            words, ink = DETACHED if view.detached else ATTACHED
+            end -= len(words)
+            cells.put(end, 0, words, ink)
         x = 1
         fields = self._fields(view, wide=cells.width >= 110)
         whose = fields[MUST - 1]
