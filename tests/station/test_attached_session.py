@@ -7,12 +7,14 @@ import time
 from dataclasses import replace
 
 import pytest
+from birdcage.antenna.alignment import Alignment
 from birdcage.base.errors import BadMessage, CommandRefused, LeaseDenied
+from birdcage.base.no_go import NoGoSector
 from birdcage.base.paths import Paths
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.ladder import StopMeans
 from birdcage.station.attach_messages import wire_from_json
-from birdcage.station.attached_session import AttachedSession, attach_session, what_goes_on
+from birdcage.station.attached_session import AttachedSession, attach_session, judge_by_state, what_goes_on
 from birdcage.station.control_client import owner_file, owners_folder
 from birdcage.station.events import LeaseChanged
 from birdcage.station.raw import CONSOLE, OTHER_CONSOLE, Grade, MenuCommand, RawReply
@@ -20,6 +22,8 @@ from birdcage.station.requests import (
     AcquireLease,
     ApplySettings,
     Connect,
+    Goto,
+    Home,
     ListCommands,
     Raw,
     ReleaseLease,
@@ -31,6 +35,7 @@ from birdcage.station.state import Activity, LinkPhase, Motion, Pointing, Statio
 from birdcage.station.wire_stream import AT_ONCE, KEPT, WireStream
 
 from .attached_bench import served, until
+from .conftest import Bench
 
 
 @pytest.fixture
@@ -72,6 +77,34 @@ def test_a_raw_line_is_judged_here_by_the_language_of_the_dish(app):
     assert station.has_prompt
     assert station.is_prompt("MOT>")
     assert "a" in [command.name for command in station.commands("mot")]
+
+
+LINES = (
+    "a", "a 0", "a 0 100", "a 0 350", "a 0 -100", "a 0 400", "a 1 30", "a 1 80", "a 1 10", "a 1 24", "a 1 70",
+    "g 120 40", "h 0", "ms", "mot", "nvs", "reboot", "s 1 2 3", "w 0", "xyz", "",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("menu", ["mot", "nvs", None])
+@pytest.mark.parametrize("where", [None, (250.0, 45.0), (10.0, 60.5)])
+def test_what_a_line_would_do_is_judged_as_the_station_itself_does(menu, where):
+    bench = Bench(options={
+        "sectors": (NoGoSector(80.0, 140.0, 35.0),), "max_elevation_deg": 63.0, "cable_min_deg": -200.0,
+        "alignment": Alignment(az_offset_deg=3.0, el_offset_deg=-2.0),
+    })  # fmt: skip
+    bench.connect(6.0)
+    if where is not None:
+        bench.do(Home("you"), 120.0)
+        bench.do(Goto(*where, "you"))
+    station = bench.station
+    station._store.change(menu=menu)
+    raw = station._antenna.raw
+    for line in LINES:
+        assert judge_by_state(raw, line, station.state) == station.judge(line), line
+    station._store.change(motion_refused_because="Settings are unreadable.")
+    assert judge_by_state(raw, "a 0 100", station.state) == station.judge("a 0 100")
+    limits = [station.judge(line).limit for line in LINES]
+    assert menu != "mot" or len([each for each in limits if each]) > 3
 
 
 def test_a_language_that_is_not_installed_here_leaves_each_line_a_motion(app, owner):

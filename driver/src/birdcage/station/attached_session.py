@@ -6,11 +6,16 @@ from collections.abc import Callable
 from concurrent.futures import Future
 from dataclasses import replace
 
+from birdcage.antenna.gate import MotionBounds, MotionGate
+from birdcage.antenna.raw_limits import limited
 from birdcage.base.errors import CommandRefused
+from birdcage.base.geometry import wrap_360
 from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
 from birdcage.rotator import machines
+from birdcage.rotator.facts import CableTurn
 from birdcage.rotator.raw import CommandDoc, RawLines
+from birdcage.rotator.values import Position
 from birdcage.rotator.verdict import Grade
 from birdcage.station.attach_messages import WirePiece
 from birdcage.station.attached import AttachedStation
@@ -77,11 +82,9 @@ class AttachedFaceStation(AttachedStation):
         return raw is not None and raw.has_prompt
 
     def judge(self, line: str) -> Verdict:
-        """Say what a raw line would do in the dish's present menu; its target is not compared with the limits here."""
-        raw, state = self._language(), self.state
-        if raw is None:
-            return UNJUDGED
-        return raw.judge(line, state.menu, homed=state.homed)
+        """Say what a raw line would do in the dish's present menu, and which limit of the station it would break."""
+        raw = self._language()
+        return UNJUDGED if raw is None else judge_by_state(raw, line, self.state)
 
     def only_asks(self, line: str, prompt: str) -> bool:
         """Return whether a line that went out at this prompt changes nothing but the menu."""
@@ -207,6 +210,36 @@ class AttachedSession:
             return f"{state.link.detail} It is unknown whether the dish moves. {where}"
         going = f"the dish {station.followed}" if station.followed else what_goes_on(state)
         return f"{self.via} goes on{f': {going}' if going else ''}. {where}"
+
+
+def judge_by_state(raw: RawLines, line: str, state: StationState) -> Verdict:
+    """Say what a raw line would do, as the station's own console does, from nothing but the state."""
+    verdict = raw.judge(line, state.menu, homed=state.homed)
+    gate = _gate_of(state)
+    if gate is not None:
+        verdict = limited(verdict, gate)
+    if verdict.grade >= Grade.MOVES and not verdict.limit and state.motion_refused_because is not None:
+        return replace(verdict, limit=state.motion_refused_because)
+    return verdict
+
+
+def _gate_of(state: StationState) -> MotionGate | None:
+    """Return a gate with the limits in force, where the dish stands now; None for a dish without a direction."""
+    dish, own, position = state.dish, state.alignment, state.position
+    if dish is None or dish.no_direction or state.el_min_deg is None or state.el_max_deg is None:
+        return None
+    bounds = MotionBounds(
+        el_min_deg=state.el_min_deg - own.el_offset_deg, el_max_deg=state.el_max_deg - own.el_offset_deg,
+        cable_min_deg=state.cable_min_deg, cable_max_deg=state.cable_max_deg,
+        sectors=tuple(own.sector_to_dish(*sector) for sector in state.no_go_sectors),
+        az_offset_deg=own.az_offset_deg, el_offset_deg=own.el_offset_deg,
+    )  # fmt: skip
+    gate = MotionGate(dish, bounds)
+    if position is not None and state.position_lost is None:
+        reports_turn = dish.turn is CableTurn.REPORTED
+        az_deg = wrap_360(position.dish_az_deg) if reports_turn else position.dish_az_deg
+        gate.position, gate.cable_deg = Position(az_deg, position.dish_el_deg), position.cable_deg
+    return gate
 
 
 def what_goes_on(state: StationState) -> str:
