@@ -22,6 +22,13 @@ whether a pursuit has sent it. `missed` pieces before these were dropped, as the
     asked      {"v": 1, "id": 8, "request": {"v": 1, "type": "HearWire", "on": true}}
     told       {"v": 1, "type": "WirePassed", "missed": 0, "pieces": [["2026-03-20T12:00:00.123Z > a\\r", false], …]}
 
+One that joins a service of the program (`services`) gives it orders, and is told its newest news: null while there is
+no such service. Plans are told whole before the first state, event or news that has their outline (`plan_form`):
+
+    asked      {"v": 1, "id": 9, "request": {"v": 1, "type": "JoinService", "service": "pursuit"}}
+    asked      {"v": 1, "id": 10, "request": {"v": 1, "type": "AskService", "service": "pursuit", "order": …}}
+    told       {"v": 1, "type": "ServiceTold", "service": "pursuit", "news": …}
+
 The last line is an `EventsEnded`, which says why. `attached_caller` serves, `attached` asks.
 """
 
@@ -33,7 +40,7 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.held import user_name
@@ -42,7 +49,7 @@ from birdcage.rotator.feature import Reading
 from birdcage.station import requests as ask
 from birdcage.station.feature_report import error_values
 from birdcage.station.json_form import VERSION, check_version, request_from_json, request_types
-from birdcage.station.json_shapes import FieldsShape, shape_of
+from birdcage.station.json_shapes import AnyJson, FieldsShape, shape_of
 from birdcage.station.json_values import MOST, Shape, shown
 from birdcage.station.raw import CONSOLE, MenuCommand, RawReply, TranscriptEntry, format_line, parse_line
 from birdcage.station.state import Pointing, StationState
@@ -52,7 +59,7 @@ YOU = "you"
 LONGEST_NAME = 60
 NAMED = frozenset({"holder", "by", "previous", "next_holder", "watcher"})
 """Fields of requests, events and the state that name somebody."""
-STATE_TOLD, STATE_CHANGED, WIRE_PASSED = "StateTold", "StateChanged", "WirePassed"
+STATE_TOLD, STATE_CHANGED, WIRE_PASSED, SERVICE_TOLD = "StateTold", "StateChanged", "WirePassed", "ServiceTold"
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,6 +92,25 @@ class HearWire:
     """Tell what passes on the wire from now on (`WirePassed`), or no longer."""
 
     on: bool
+
+
+@dataclass(frozen=True, slots=True)
+class JoinService:
+    """Tell the news of a service of this program from now on (`ServiceTold`), and take orders for it."""
+
+    service: str
+
+
+@dataclass(frozen=True, slots=True)
+class AskService:
+    """Give a service that was joined an order. The answer says whether it was taken, and not what came of it."""
+
+    service: str
+    order: AnyJson
+
+
+BesideRequest = HearWire | JoinService | AskService
+"""What an attached program asks for beside the requests of the station."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +165,7 @@ def result_shapes() -> Mapping[type, Shape]:
     return {kind: shape_of(result) for kind, result in kinds.items()}
 
 
-def asked_from_json(told: object) -> tuple[int, ask.Request | HearWire | BadMessage]:
+def asked_from_json(told: object) -> tuple[int, ask.Request | BesideRequest | BadMessage]:
     """Return the number of a request of an attached caller, and the request, or what is wrong with it.
 
     BadMessage for a line without a number: no answer to it could be told from others.
@@ -153,7 +179,7 @@ def asked_from_json(told: object) -> tuple[int, ask.Request | HearWire | BadMess
         check_version(told, "The line")
         if unknown := [key for key in told if key not in ("v", "id", "request")]:
             raise BadMessage(f"The line has no field {shown(unknown[0])}. It has v, id, request.")
-        request: ask.Request | HearWire = request_from_json(told.get("request"), _askable())
+        request: ask.Request | BesideRequest = request_from_json(told.get("request"), _askable())
         for field in ("holder", "by", "watcher"):
             if getattr(request, field, None) == YOU:
                 raise BadMessage(f'{type(request).__name__}.{field} is "{YOU}". Give the name that you have here.')
@@ -164,7 +190,19 @@ def asked_from_json(told: object) -> tuple[int, ask.Request | HearWire | BadMess
 
 @cache
 def _askable() -> Mapping[str, type]:
-    return {**request_types(), HearWire.__name__: HearWire}
+    return {**request_types(), **{each.__name__: each for each in get_args(BesideRequest)}}
+
+
+def told_by_service(service: str, news: object) -> dict[str, object]:
+    """Return news of a service as a line; None: there is no such service now."""
+    return {"v": VERSION, "type": SERVICE_TOLD, "service": service, "news": news}
+
+
+def news_from_json(told: Mapping[str, Any]) -> tuple[str, object]:
+    """Return whose news a line tells, and what they are, as JSON. BadMessage for all else."""
+    check_version(told, "The news")
+    service: str = shape_of(str).take(told.get("service"), "service")
+    return service, told.get("news")
 
 
 def wire_to_json(pieces: Sequence[WirePiece], missed: int) -> dict[str, object]:

@@ -15,7 +15,6 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
-from birdcage.base.clock import RealClock
 from birdcage.base.errors import BadMessage, BirdcageError, CommandRefused, LinkError, NoReply
 from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
@@ -25,6 +24,7 @@ from birdcage.station.attach_messages import (
     STATE_TOLD,
     WIRE_PASSED,
     YOU,
+    BesideRequest,
     HearWire,
     WirePiece,
     name_here,
@@ -36,7 +36,7 @@ from birdcage.station.attach_messages import (
 from birdcage.station.control_client import NoAnswer, Owner, OwnerGone, attach_to, find_owner, owners_folder
 from birdcage.station.control_messages import LONGEST_ANSWER, LONGEST_LINE, EndOfEvents, EventsEnded, as_line
 from birdcage.station.duplex_lines import DuplexLines
-from birdcage.station.events import Event, LinkChanged, StopConfirmed, StopSent
+from birdcage.station.events import Event, LinkChanged, PursuitChanged, StopConfirmed, StopSent
 from birdcage.station.feature_report import error_of
 from birdcage.station.holding import hold
 from birdcage.station.json_form import VERSION, event_from_json, parse, to_json
@@ -44,12 +44,12 @@ from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import TranscriptEntry
 from birdcage.station.request_log import log_request
 from birdcage.station.requests import Request, Stop, Unwatch, Watch
+from birdcage.station.service_client import ServiceClient
 from birdcage.station.state import Activity, LinkPhase, LinkState, StationState, StopReport
 from birdcage.station.state_store import StateStore
+from birdcage.station.station_clock import StationClock
 from birdcage.station.task_state import TaskPhase
 
-SAME_CLOCK_S = 0.005
-"""Two clocks that agree within this, and within the time that asking takes, are one."""
 STOP_S = 1.0
 """A station answers a STOP at once, as it waits for no dish; after so long its program is taken for frozen."""
 RETRY_S = (0.1, 0.2, 0.5, 1.0)
@@ -60,23 +60,6 @@ TOO_SLOW = "This program did not keep up with the station, and was dropped."
 PORT_IS_FREE = "If the dish moves, cut its power. `birdcage stop` opens the port itself."
 
 log = logging.getLogger(__name__)
-
-
-class StationClock(RealClock):
-    """The monotonic clock of another program, by this one's: on one machine both are the same, as a rule."""
-
-    def __init__(self) -> None:
-        self.ahead_s = 0.0
-        """How far that clock is ahead of ours."""
-
-    def meet(self, at: float, asked: float, heard: float) -> None:
-        """Take in that it showed `at` at a moment between `asked` and `heard` of ours."""
-        is_same = asked - SAME_CLOCK_S <= at <= heard + SAME_CLOCK_S
-        self.ahead_s = 0.0 if is_same else at - (asked + heard) / 2.0
-
-    def monotonic(self) -> float:
-        """Return seconds as that program counts them."""
-        return super().monotonic() + self.ahead_s
 
 
 class AttachedStation:
@@ -107,6 +90,7 @@ class AttachedStation:
         self._stops: dict[int, _OpenStop] = {}
         """STOPs that are not answered yet."""
         self._hear_wire: Callable[[WirePiece], None] | None = None
+        self._services = ServiceClient(self._ask)
         self._watches: dict[str, Watch] = {}
         """What this face looks at: the next program is asked for it, too."""
         self._owner: Owner | None = None
@@ -167,7 +151,12 @@ class AttachedStation:
         future.set_running_or_notify_cancel()
         return self._ask(HearWire(listener is not None), future)
 
-    def _ask(self, request: Request | HearWire, future: Future[object]) -> Future[object]:
+    @property
+    def services(self) -> ServiceClient:
+        """The services of the station's program."""
+        return self._services
+
+    def _ask(self, request: Request | BesideRequest, future: Future[object]) -> Future[object]:
         number = next(self._numbers)
         try:
             line = self._line_of(number, request)
@@ -212,7 +201,7 @@ class AttachedStation:
     def _none_here(self) -> str:
         return f"No birdcage program drives {self._port} now."
 
-    def _line_of(self, number: int, request: Request | HearWire) -> bytes:
+    def _line_of(self, number: int, request: Request | BesideRequest) -> bytes:
         """Return a request as a line. CommandRefused for one that has none."""
         try:
             told = renamed(to_json(request), self._outward)
@@ -291,10 +280,12 @@ class AttachedStation:
         if kind == WIRE_PASSED:
             self._pass_wire(told)
             return None
+        if self._services.take(told):
+            return None
         told = renamed(told, self._inward)
         if kind in (STATE_TOLD, STATE_CHANGED):
             is_first = self._told is None
-            self._told = state_from_json(told, self._told or StationState())
+            self._told = self._services.with_plan(state_from_json(told, self._told or StationState()))
             self._store.put(self._told)
             if is_first:
                 self._met.set()
@@ -302,9 +293,13 @@ class AttachedStation:
                     self.submit(watch)
                 if self._hear_wire is not None:
                     self.hear_wire(self._hear_wire)
+                self._services.join_all()
                 self._tell(LinkChanged(*self._store.stamp(), self._told.link))
         else:
-            self._tell(event_from_json(told))
+            event = event_from_json(told)
+            if isinstance(event, PursuitChanged):
+                event = replace(event, pursuit=self._services.plans.in_pursuit(event.pursuit))
+            self._tell(event)
         return None
 
     def _pass_wire(self, told: Mapping[str, Any]) -> None:
@@ -336,6 +331,7 @@ class AttachedStation:
     def _detach(self, why: str) -> None:
         """Say what is so without a station: nothing is known any more, and what was asked for may be done or not."""
         self._met.clear()
+        self._services.lose()
         with self._lock:
             self._lines, self._told = None, None
             unanswered, self._open = self._open, {}

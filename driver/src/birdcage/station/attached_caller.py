@@ -13,9 +13,12 @@ from dataclasses import dataclass, replace
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.reason import Reason
 from birdcage.station.attach_messages import (
+    AskService,
     Attach,
     Attached,
+    BesideRequest,
     HearWire,
+    JoinService,
     answer_to_json,
     asked_from_json,
     name_here,
@@ -25,9 +28,10 @@ from birdcage.station.attachments import Attachments
 from birdcage.station.control_messages import ENDS, LONGEST_LINE, EndOfEvents, as_line, done
 from birdcage.station.duplex_lines import DuplexLines
 from birdcage.station.event_stream import KERNEL_BYTES, LAST_LINE_S, LONGEST_QUEUE
-from birdcage.station.events import Event
+from birdcage.station.events import Event, PursuitChanged
 from birdcage.station.json_form import parse, to_json
 from birdcage.station.requests import Request, Stop, Unwatch, Watch
+from birdcage.station.service_visits import ServiceVisits
 from birdcage.station.state import StationState
 from birdcage.station.station import Station
 from birdcage.station.wire_stream import WireStream
@@ -67,6 +71,7 @@ class AttachedCaller:
         self._open: set[Future[object]] = set()
         self._lines: DuplexLines | None = None
         self._wire = WireStream(station, attachments.on_wire, self._wake)
+        self._visits = ServiceVisits(attachments.services, attachments.plan_lines, self._wake)
 
     def end(self, why: EndOfEvents) -> None:
         """Send what waits, then a last line. Any thread."""
@@ -86,6 +91,7 @@ class AttachedCaller:
             self._talk(lines)
         finally:
             self._wire.close()
+            self._visits.close()
             unsubscribe()
             unwatch()
             for watcher in self._watchers:
@@ -139,7 +145,7 @@ class AttachedCaller:
         self._put(_Answer(None, type(None), error))
         self.end(EndOfEvents.BAD_LINE)
 
-    def _take(self, number: int, request: Request | HearWire | BadMessage) -> None:
+    def _take(self, number: int, request: Request | BesideRequest | BadMessage) -> None:
         kind: type = type(request)
         if isinstance(request, BadMessage):
             self._put(_Answer(number, kind, request))
@@ -147,8 +153,8 @@ class AttachedCaller:
             log.debug("%s: STOP", request.by)
             self._station.stop(request.by)
             self._put(_Answer(number, kind, None))
-        elif isinstance(request, HearWire):
-            self._put(_Answer(number, kind, self._hear_wire(on=request.on)))
+        elif isinstance(request, BesideRequest):
+            self._put(_Answer(number, kind, self._beside(request)))
         elif len(self._open) >= MOST_OPEN:
             words = f"{MOST_OPEN} requests wait for their answers already. Nothing was sent: wait for one of them."
             self._put(_Answer(number, kind, BirdcageError(words, reason=Reason.BUSY)))
@@ -157,9 +163,15 @@ class AttachedCaller:
             self._open.add(future)
             future.add_done_callback(lambda future: self._answer(number, kind, future))
 
-    def _hear_wire(self, *, on: bool) -> BirdcageError | None:
+    def _beside(self, request: BesideRequest) -> BirdcageError | None:
         try:
-            self._wire.hear(on=on)
+            match request:
+                case HearWire(on):
+                    self._wire.hear(on=on)
+                case JoinService():
+                    self._visits.join(request)
+                case AskService(name, order):
+                    self._visits.take(name, order)
         except BirdcageError as error:
             return error
         return None
@@ -219,19 +231,19 @@ class AttachedCaller:
             first, self._told_last = not self._told_last, True
             return as_line(to_json(ENDS[ended])) if first else b""
         is_due = self._told is None or time.monotonic() >= self._told_at + STATE_S
-        return (self._tell(state) if is_due else b"") or self._wire.next_line()
+        return (self._tell(state) if is_due else b"") or self._visits.next_lines() or self._wire.next_line()
 
     def _tell(self, state: StationState) -> bytes:
         told = None if state is self._told else state_to_json(state, self._told)
         self._told, self._told_at = state, time.monotonic()
-        return b"" if told is None else as_line(told)
+        return b"" if told is None else self._visits.plans.line_of_pursuit(state.pursuit) + as_line(told)
 
-    @staticmethod
-    def _line_of(what: Event | _Answer) -> bytes:
+    def _line_of(self, what: Event | _Answer) -> bytes:
         if isinstance(what, _Answer):
             return as_line(answer_to_json(what.number, what.request, what.result))
         try:
-            return as_line(to_json(what))
+            plan = self._visits.plans.line_of_pursuit(what.pursuit) if isinstance(what, PursuitChanged) else b""
+            return plan + as_line(to_json(what))
         except BadMessage as error:
             log.warning("an event is not told to other programs: %s", error)
             return b""

@@ -7,7 +7,9 @@ from collections.abc import Callable, Collection
 from concurrent.futures import Future
 
 from birdcage.station.events import Event
+from birdcage.station.plan_form import PlanLines
 from birdcage.station.requests import ReleaseLease
+from birdcage.station.services import Services
 from birdcage.station.state import MOVING, StationState
 from birdcage.station.station import Station
 from birdcage.station.wire_stream import OnWire
@@ -21,6 +23,8 @@ class Attachments:
 
     def __init__(self, station: Station, program: str = "birdcage", on_wire: OnWire | None = None) -> None:
         self._station = station
+        self.services, self.plan_lines = Services(), PlanLines()
+        """What attached programs can join, and the plans that they are told."""
         self.program, self.on_wire = program, on_wire
         """How the station's program is called by those that are attached, and how its wire is heard."""
         self._lock = threading.Lock()

@@ -23,6 +23,7 @@ from birdcage.station.attachments import Attachments
 from birdcage.station.control_caller import ControlCaller, OutsideWatches
 from birdcage.station.control_client import owner_file
 from birdcage.station.events import Event, LinkChanged
+from birdcage.station.services import Services
 from birdcage.station.state import LinkPhase
 from birdcage.station.station import Station
 from birdcage.station.wire_stream import OnWire
@@ -58,6 +59,11 @@ class ControlServer:
         self._thread = threading.Thread(target=self._listen, name="control server", daemon=True)
         self._thread.start()
         self._unsubscribe = station.subscribe(self._hear, LinkChanged)
+
+    @property
+    def services(self) -> Services:
+        """What attached programs can join beside the station's own requests."""
+        return self._attachments.services
 
     def close(self) -> None:
         """Stop listening, take the file away, and let callers have their answer."""

@@ -10,6 +10,8 @@
     Path                            text
     a feature's value               a number, text, or true and false; text of several lines is a list of them
     Range                           its ends; one without an end has null there
+    AnyJson                         itself, unread: whoever takes it reads it
+    an array of numbers             a list; null for what is no number
     Plan, SkyMapping                its outline, which is also what is read back (`plan_outline`, `rotator.mapping`)
 
 All text that is read is clean (`base.text`). What does not fit raises BadMessage, which names the field.
@@ -27,9 +29,10 @@ from dataclasses import MISSING, dataclass, fields, is_dataclass, replace
 from datetime import datetime
 from enum import Enum
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+from typing import Any, Literal, NewType, Union, get_args, get_origin, get_type_hints
 
 from birdcage.base.errors import BadMessage
 from birdcage.base.text import clean
@@ -55,6 +58,15 @@ _WHOLE_KEY = re.compile(r"-?\d{1,15}", re.ASCII)
 _VALUE = frozenset(get_args(Value))
 NAMES = {"Plan": PlanOutline, "SkyMapping": MappingOutline}
 """What names of types mean here: what stands for a plan, and for a mapping, in another program."""
+IMPORTED = {
+    "Refraction": "tracking.planning.refraction", "Skew": "sky.skew", "Downlink": "sky.downlinks",
+    "ElementError": "sky.element_error", "Day": "tracking.day", "PointingError": "tracking.pointing_error",
+    "LookAngle": "sky.look", "PassRow": "sky.pass_row", "PlanTarget": "tracking.plan", "PassReach": "sky.reach_model",
+    "SunApproach": "sky.sun_crossing",
+}  # fmt: skip
+"""Where types are that modules import for their annotations alone, as they need much of sky or numpy."""
+AnyJson = NewType("AnyJson", object)
+"""What whoever takes it reads for itself."""
 
 
 @cache
@@ -81,9 +93,46 @@ def shape_of(kind: Any) -> Shape:
         return ChoiceShape({each.value: each for each in kind}, kind.__name__)
     if kind is Range:
         return RangeShape()
+    if getattr(origin, "__module__", "") == "numpy":
+        return FloatsShape()
     if is_dataclass(kind) or hasattr(kind, "_field_defaults"):
         return FieldsShape(kind)
     raise TypeError(f"{kind} has no JSON form")
+
+
+class AnyShape:
+    """Any JSON, as it is."""
+
+    words = "any JSON"
+
+    def tell(self, value: Any, where: str) -> object:  # noqa: ARG002 - any will do
+        """Return it."""
+        return value
+
+    def take(self, told: object, where: str) -> Any:  # noqa: ARG002 - any will do
+        """Return it."""
+        return told
+
+
+class FloatsShape:
+    """A row of numbers, as an array."""
+
+    words = "a list of numbers, null for what is none"
+
+    def tell(self, value: Any, where: str) -> object:  # noqa: ARG002 - any array will do
+        """Return a list."""
+        return [each if math.isfinite(each) else None for each in value.tolist()]
+
+    def take(self, told: object, where: str) -> Any:
+        """Return the array."""
+        import numpy as np
+
+        if not isinstance(told, list) or not all(each is None or type(each) in (int, float) for each in told):
+            raise unfit(told, where, self)
+        try:
+            return np.array([math.nan if each is None else each for each in told], dtype=np.float64)
+        except OverflowError:
+            raise unfit(told, where, self) from None
 
 
 class ListShape:
@@ -167,7 +216,7 @@ class FieldsShape:
     def __init__(self, kind: Any) -> None:
         self.kind = kind
         self.words = f"an object ({kind.__name__})"
-        hints = get_type_hints(kind, localns=NAMES)
+        hints = get_type_hints(kind, localns=_Names(NAMES))
         self.fields = tuple(
             ShapedField(name, shape_of(hints[name]), required) for name, required in _names_of(kind).items()
         )
@@ -205,6 +254,15 @@ class FieldsShape:
         if isinstance(value, Facts) and value.mapping is not None:
             return replace(value, mapping=MappingOutline.of(value.axes, value.mapping))
         return value
+
+
+class _Names(dict[str, Any]):
+    """Names of types, with those that are imported when a type is first told."""
+
+    def __missing__(self, name: str) -> Any:
+        if name not in IMPORTED:
+            raise KeyError(name)
+        return getattr(import_module(f"birdcage.{IMPORTED[name]}"), name)
 
 
 def _names_of(kind: Any) -> dict[str, bool]:
@@ -246,4 +304,5 @@ class PathShape:
         return Path(TEXT.take(told, where))
 
 
-_PLAIN: dict[Any, Shape] = {str: TEXT, float: NUMBER, int: WHOLE, bool: TRUTH, datetime: MOMENT, Path: PathShape()}
+_PLAIN: dict[Any, Shape] = {str: TEXT, float: NUMBER, int: WHOLE, bool: TRUTH, datetime: MOMENT, Path: PathShape(),
+                            AnyJson: AnyShape()}  # fmt: skip
