@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 
 LONGEST = 1024
 """Bytes of a line. No command is a tenth as long; Hamlib's own daemon overruns its buffers at 128."""
@@ -17,31 +16,32 @@ class CommandLines:
     """
 
     def __init__(self) -> None:
-        self._begun = bytearray()
+        self._begun = b""
         self._skipping = False
 
-    def feed(self, data: bytes) -> Iterator[bytes | None]:
-        """Yield the lines that `data` ends. The stream may be cut anywhere."""
-        begin = 0
-        for end in _END.finditer(data):
-            yield from self._take(data[begin : end.start()])
-            yield from self.finish()
-            self._skipping, begin = False, end.end()
-        yield from self._take(data[begin:])
+    def feed(self, data: bytes) -> list[bytes | None]:
+        """Return the lines that `data` ends. The stream may be cut anywhere."""
+        lines: list[bytes | None] = []
+        *ended, rest = _END.split(data)
+        for piece in ended:
+            self._take(piece, lines)
+            lines += self.finish()
+            self._skipping = False
+        self._take(rest, lines)
+        return lines
 
-    def finish(self) -> Iterator[bytes | None]:
-        """Yield the line that was begun: no more of it will come."""
-        if self._begun:
-            line = bytes(self._begun)
-            self._begun.clear()
-            yield line
+    def finish(self) -> list[bytes]:
+        """Return the line that was begun, if one was: no more of it will come."""
+        if not self._begun:
+            return []
+        line, self._begun = self._begun, b""
+        return [line]
 
-    def _take(self, piece: bytes) -> Iterator[None]:
+    def _take(self, piece: bytes, lines: list[bytes | None]) -> None:
         if self._skipping:
             return
         if len(self._begun) + len(piece) > LONGEST:
-            self._begun.clear()
-            self._skipping = True
-            yield None
+            self._begun, self._skipping = b"", True
+            lines.append(None)
         else:
             self._begun += piece

@@ -140,11 +140,13 @@ class ClientConversation:
             self._fail(command, RotctldError(Rprt.EIO, f"It failed: {error}. The log has more."))
 
     def _fail(self, command: ParsedCommand, error: RotctldError) -> None:
-        _log.debug("%s %s", command.header or "unknown:", error)
+        if _log.isEnabledFor(logging.DEBUG):
+            _log.debug("%s %s", command.header or "unknown:", error)
         self._answer(command, error.code)
 
     def _answer(self, command: ParsedCommand, result: CommandResult | Rprt) -> None:
-        self._replies.append(reply(result, command.header, command.separator))
+        header = "" if command.separator is None else command.header
+        self._replies.append(reply(result, header, command.separator))
 
 
 def _refusal(command: ParsedCommand) -> RotctldError:
