@@ -147,3 +147,23 @@ def test_ctrl_c_while_it_is_loaded_is_no_traceback(terminal, at_import, module) 
     process = terminal("move", "--help", env=at_import(module, "os.kill(os.getpid(), signal.SIGINT)"))
     assert process.status() == 130
     assert process.output == b""
+
+
+@pytest.mark.parametrize("words", [("serve", "--selftest"), ("serve", "--json"), ("station", "run", "--json")])
+def test_whoever_reads_it_may_leave(start, words):
+    process = start(*words, "--port", "sim:g2", "--firmware", "g2", *(["--listen-port", 0] if "serve" in words else []))
+    assert process.stdout.readline()
+    process.stdout.close()
+    process.stdout = None
+    _out, err = process.communicate(timeout=30)
+    assert process.returncode == 128 + signal.SIGPIPE
+    assert "Traceback" not in err
+    assert "BrokenPipe" not in err
+
+
+def test_a_list_that_is_read_in_part_ends_without_a_word(start):
+    process = start("ports", "--json")
+    process.stdout.close()
+    process.stdout = None
+    _out, err = process.communicate(timeout=30)
+    assert (process.returncode, err) == (128 + signal.SIGPIPE, "")

@@ -39,13 +39,16 @@ def test_a_real_dish_is_not_moved_unless_asked(selftest, pty_dish, monkeypatch):
     def slowly(address, name):
         for result in self_test(address, name):
             yield result
-            # A wish that was carried out would have set the dish in motion before its client leaves.
-            time.sleep(0.1)
+            # A wish comes before the next look at the dish: one that was carried out would be on the wire by then.
+            if result.sent.startswith(b"P"):
+                since = time.monotonic()
+                pty_dish.wait_for(lambda _truth, since=since: pty_dish.lines(since))
 
     monkeypatch.setattr(self_test_run, "self_test", slowly)
     before = pty_dish.device.truth()
     result, checks = selftest(port=pty_dish.path)
     assert result.exit_code == 0, result.stdout + result.stderr
+    assert pty_dish.moves() == []
     after = pty_dish.device.truth()
     assert (after.az_deg, after.el_deg, after.moving) == (before.az_deg, before.el_deg, False)
     assert checks[-1]["program"] == "Look4Sat"

@@ -8,8 +8,8 @@ import signal
 import pytest
 from birdcage.base.config import load
 from birdcage.base.paths import Paths
-from birdcage.cli.app import EndedBySignal
 from birdcage.cli.dish import open_dish
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.options import Wanted
 from birdcage.cli.station_run import run_station
 from birdcage.station.requests import Goto

@@ -76,3 +76,16 @@ def test_each_dish_has_a_folder_of_its_own(tmp_path):
     names = {dish_folder(tmp_path, identity) for identity in ("path:/dev/ttyS0", "path:/dev/ttyS1", "path:/dev-ttyS0")}
     assert len(names) == 3
     assert all(folder.parent == tmp_path / "dishes" for folder in names)
+
+
+def test_a_pseudo_terminal_that_goes_while_it_is_looked_at_is_not_there():
+    ours, theirs = os.openpty()
+    name = os.ttyname(theirs)
+    assert dish_identity(name, none).startswith(f"pty:{name}@")
+
+    def go():
+        os.close(theirs)
+        os.close(ours)
+        return []
+
+    assert dish_identity(name, go) is None

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import socket
 import threading
-import time
 
 import pytest
 from birdcage.rotctld import self_test as module
@@ -59,18 +58,44 @@ def test_a_good_server_is_good(server, name):
     assert all(result.good for result in results), results
 
 
-def torn(line, command):
-    first, *rest = answer(command).splitlines(keepends=True)
-    line.sendall(first)
-    time.sleep(0.05)
-    line.sendall(b"".join(rest))
+class TellingSocket(socket.socket):
+    """Tells when something was received."""
+
+    received: threading.Event
+
+    def recv(self, *limits):
+        data = super().recv(*limits)
+        self.received.set()
+        return data
+
+
+@pytest.fixture
+def torn(monkeypatch):
+    """Answer in two pieces, the second once the first was received."""
+    received = threading.Event()
+
+    def connect(*where):
+        line = TellingSocket(fileno=plain(*where).detach())
+        line.received = received
+        return line
+
+    def torn(line, command):
+        first, *rest = answer(command).splitlines(keepends=True)
+        received.clear()
+        line.sendall(first)
+        assert received.wait(5.0)
+        line.sendall(b"".join(rest))
+
+    plain = socket.create_connection
+    monkeypatch.setattr(module.socket, "create_connection", connect)
+    return torn
 
 
 @pytest.mark.parametrize(
     ("name", "verdict"),
     [("gpredict", SelfTestVerdict.TORN), ("satdump", SelfTestVerdict.TORN), ("sdrangel", SelfTestVerdict.GOOD)],
 )
-def test_an_answer_in_pieces_is_torn_for_who_reads_it_with_one_recv(server, name, verdict):
+def test_an_answer_in_pieces_is_torn_for_who_reads_it_with_one_recv(server, torn, name, verdict):
     first = next(result for result in self_test(server(torn), name) if result.sent == b"p\n")
     assert first.verdict is verdict
 
@@ -81,13 +106,9 @@ def test_a_server_that_says_nothing_is_silent(server):
 
 
 def test_a_late_answer_is_slow(server, monkeypatch):
-    monkeypatch.setattr(module, "SLOW_S", 0.1)
-
-    def late(line, command):
-        time.sleep(0.15)
-        line.sendall(answer(command))
-
-    assert next(self_test(server(late), "gpredict")).verdict is SelfTestVerdict.SLOW
+    monkeypatch.setattr(module, "SLOW_S", 0.0)
+    address = server(lambda line, command: line.sendall(answer(command)))
+    assert next(self_test(address, "gpredict")).verdict is SelfTestVerdict.SLOW
 
 
 def test_an_error_is_wrong_at_once_and_has_its_code(server):

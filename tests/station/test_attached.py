@@ -138,6 +138,19 @@ def test_it_has_the_state_of_the_other_program(anna, dish) -> None:
     assert abs(anna.clock.monotonic() - time.monotonic()) < 0.01
 
 
+def test_a_listener_that_fails_hears_no_more_and_the_rest_goes_on(anna, dish) -> None:
+    failed = []
+
+    def fail(event) -> None:
+        failed.append(event)
+        raise ZeroDivisionError
+
+    anna.subscribe(fail)
+    assert anna.submit(Goto(10.0, 47.0, "you")).result(WITHIN_S).az_deg == pytest.approx(10.0, abs=0.1)
+    assert len(failed) == 1
+    assert any(isinstance(event, MoveEnded) for event in anna.heard)
+
+
 def test_a_go_to_arrives_with_its_events_and_states(anna, dish) -> None:
     heard = []
     anna.subscribe(lambda event: heard.append((event, anna.state)))

@@ -12,8 +12,9 @@ import click
 from birdcage.base.signals import interrupt_quits
 from birdcage.base.text import clean
 from birdcage.cli import exits
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.options import global_options
-from birdcage.cli.say import say
+from birdcage.cli.say import drop_stdout, say
 
 COMMANDS = {
     "init": "Wait for the dish to boot; look at its TV search, and switch it.",
@@ -57,14 +58,6 @@ COMMANDS = {
 """Each has its module in `birdcage.cli.commands`. Kept here so that `--help` loads none of them."""
 
 
-class EndedBySignal(Exception):
-    """A signal ended the command, after STOP."""
-
-    def __init__(self, number: int) -> None:
-        super().__init__(f"signal {number}")
-        self.number = number
-
-
 class Birdcage(click.Group):
     """Loads a command's module when that command is run, and turns errors into a sentence and an exit code."""
 
@@ -99,6 +92,8 @@ class Birdcage(click.Group):
             return super().invoke(ctx)
         except EndedBySignal as ended:
             _say_notes(ended)
+            if ended.number == exits.SIGPIPE:
+                drop_stdout()
             ctx.exit(exits.SIGNAL + ended.number)
         except click.Abort:
             say("Cancelled: nothing was done.")

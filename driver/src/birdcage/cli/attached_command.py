@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.base.errors import BirdcageError
-from birdcage.cli.app import EndedBySignal
 from birdcage.cli.dish import LEAVE_S, leave_dish, open_dish, take_signals
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.station_command import StationCommand
 from birdcage.rotator.feature import POSITION
 from birdcage.station.attached import AttachedStation

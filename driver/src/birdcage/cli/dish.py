@@ -15,7 +15,7 @@ from birdcage.base.errors import BirdcageError, ConfigError, MotionRefused, NoRe
 from birdcage.base.reason import Reason
 from birdcage.base.signals import SignalListener
 from birdcage.cli import exits
-from birdcage.cli.app import EndedBySignal
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.options import Wanted
 from birdcage.cli.say import say
 from birdcage.cli.station_command import CONFIRM_S, StationCommand

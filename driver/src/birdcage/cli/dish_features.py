@@ -53,7 +53,7 @@ def read_features(dish: Wanted, ids: tuple[str, ...]) -> dict[str, Any]:
 def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:
     """Set a feature, with a person's consent, and return what was read back, as `read_features`."""
     from birdcage.base.held import user_name
-    from birdcage.cli.app import EndedBySignal
+    from birdcage.cli.exits import EndedBySignal
     from birdcage.station.feature_report import may_be_set
     from birdcage.station.requests import Set
 

@@ -23,6 +23,9 @@ CRASH = 70
 SIGNAL = 128
 """Plus the signal's number: 130 after Ctrl+C."""
 
+SIGPIPE = 13
+"""The number of that signal, on systems that have none, too: whoever read stdout is gone."""
+
 EPILOG = """\b
 Exit status:
   0    done
@@ -40,6 +43,14 @@ Exit status:
   2    wrong command line or settings
   130  Ctrl+C"""
 """Of commands that have nothing to do with a dish."""
+
+
+class EndedBySignal(Exception):
+    """A signal ended the command, after STOP."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(f"signal {number}")
+        self.number = number
 
 
 def code_of(error: BirdcageError) -> int:

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import sys
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
+
+from birdcage.cli.exits import SIGPIPE, EndedBySignal
 
 if TYPE_CHECKING:
     from birdcage.station.state import Pointing
@@ -20,8 +23,18 @@ def say(sentence: str) -> None:
 
 
 def tell(line: str) -> None:
-    """Print a line of data."""
-    print(line, flush=True)
+    """Print a line of data. `EndedBySignal` (SIGPIPE) where whoever read it is gone, as `head` is after ten lines."""
+    try:
+        print(line, flush=True)
+    except BrokenPipeError:
+        raise EndedBySignal(SIGPIPE) from None
+
+
+def drop_stdout() -> None:
+    """Let what is not printed yet go nowhere: Python would try it again at its end, and complain."""
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    os.dup2(nowhere, sys.stdout.fileno())
+    os.close(nowhere)
 
 
 def tell_json(value: Mapping[str, object] | Sequence[object]) -> None:

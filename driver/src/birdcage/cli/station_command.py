@@ -9,7 +9,7 @@ from concurrent.futures import Future
 
 from birdcage.base.errors import BirdcageError, LinkError, NoReply
 from birdcage.base.reason import Reason
-from birdcage.cli.app import EndedBySignal
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.say import Progress
 from birdcage.station.access import StationAccess
 from birdcage.station.events import Event, StopConfirmed

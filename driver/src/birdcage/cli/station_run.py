@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, NoReturn
 
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.say import say, tell_json
 from birdcage.station.events import (
     Event,
@@ -45,7 +46,17 @@ def run_station(
             last = words
 
     if as_json:
-        dish.hear_all = lambda event: tell_json(to_json(event))
+        dish.hear_all = lambda event: tell_while_read(dish, to_json(event))
     while True:
         dish.look(hear)
         each_time()
+
+
+def tell_while_read(dish: StationCommand, value: Mapping[str, object]) -> None:
+    """Print a line of JSON. Where whoever read them is gone, the command ends as by a signal. Any thread."""
+    try:
+        tell_json(value)
+    except EndedBySignal as ended:
+        dish.hear_all = None
+        if dish.number is None:
+            dish.end_wait(ended.number)

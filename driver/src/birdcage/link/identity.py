@@ -46,9 +46,12 @@ def dish_identity(port: str, list_ports: PortLister = list_ports) -> str | None:
     if not here:
         return None if found is None else f"path:{found.device}"
     real = str(path.resolve())
-    if _PTY.fullmatch(real):
+    if not _PTY.fullmatch(real):
+        return f"path:{real}"
+    try:
         return f"pty:{real}@{path.stat().st_ctime_ns}"
-    return f"path:{real}"
+    except OSError:  # it went while it was looked at: not there
+        return None
 
 
 def forget_reused(state: Path, identity: str) -> None:

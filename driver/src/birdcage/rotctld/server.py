@@ -285,7 +285,7 @@ class RotctldService:
             return
         try:
             work(served.client)
-        except Exception:
+        except Exception:  # whatever it is: it is told in the log, and the other clients are served on
             log.exception("a fault of birdcage ends the connection of %s", served.client.record.name)
             served.client.why = HangUp.FAULT
         self._stirred = True
@@ -328,7 +328,7 @@ class RotctldService:
             self._recorder.remark(number, f"gone: {why}")
         try:
             served.rotor.leave()
-        except Exception:
+        except Exception:  # it may be why this client is hung up on; the others are served on
             log.exception("a fault of birdcage while %s left", name)
         self._tell(ClientNews(view, why))
 

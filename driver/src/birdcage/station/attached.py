@@ -378,7 +378,7 @@ class AttachedStation:
     def _tell(self, event: Event) -> None:
         try:
             self._store.tell(event)
-        except Exception:
+        except Exception:  # a listener is anybody's code: STOP and answers of the station come on this thread, too
             log.exception("a listener to events has failed, and hears no more")
 
 

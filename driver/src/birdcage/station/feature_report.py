@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterable, Mapping
+from dataclasses import asdict
 from typing import Any
 
 from birdcage.base import errors
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused
 from birdcage.base.reason import Reason
+from birdcage.base.text import clean
+from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator.feature import Feature, FeatureKind, Range, Reading
 
 Values = dict[str, object]
@@ -54,8 +57,13 @@ def may_be_set(feature: str) -> str:
 
 
 def error_values(error: BirdcageError) -> Values:
-    """Return an error, for another process to raise."""
-    return {"kind": type(error).__name__, "reason": error.reason, "sentence": str(error)}
+    """Return an error, for another process to raise, with the numbers and values that it carries."""
+    told: dict[str, object] = {"kind": type(error).__name__, "reason": error.reason, "sentence": str(error)}
+    if isinstance(error, MotionRefused):
+        told |= {"limit_deg": error.limit_deg, "by_deg": error.by_deg}
+    if isinstance(error, CommandRefused) and error.trouble is not None:
+        told["trouble"] = asdict(error.trouble)
+    return told
 
 
 def error_of(told: Mapping[str, object]) -> BirdcageError:
@@ -63,7 +71,24 @@ def error_of(told: Mapping[str, object]) -> BirdcageError:
     kind = getattr(errors, str(told.get("kind")), BirdcageError)
     if not (isinstance(kind, type) and issubclass(kind, BirdcageError)):
         kind = BirdcageError
-    return kind(str(told.get("sentence")), reason=_reason_of(told.get("reason")))
+    error = kind(str(told.get("sentence")), reason=_reason_of(told.get("reason")))
+    if isinstance(error, MotionRefused):
+        error.limit_deg, error.by_deg = (_number_of(told.get(name)) for name in ("limit_deg", "by_deg"))
+    if isinstance(error, CommandRefused):
+        error.trouble = _trouble_of(told.get("trouble"))
+    return error
+
+
+def _number_of(told: object) -> float | None:
+    return float(told) if isinstance(told, int | float) and not isinstance(told, bool) else None
+
+
+def _trouble_of(told: object) -> MotorTrouble | None:
+    """Return the trouble of a motor; None for what is none, or has another form in a newer program."""
+    match told:
+        case {"axis": str(axis), "homing": bool(homing), "said": str(said)}:
+            return MotorTrouble(clean(axis), homing, clean(said))
+    return None
 
 
 def _reason_of(word: object) -> Reason | None:

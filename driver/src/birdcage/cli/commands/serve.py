@@ -203,8 +203,8 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
     station = dish.session.station if isinstance(dish, DishSession) else None
     service = RotctldService(
         dish.station, listener, settings, options_from(wants.settings),
-        show=station.show_network if station else lambda _state: None, tell=lambda news: _tell(news, as_json=as_json),
-        recorder=recorder,
+        show=station.show_network if station else lambda _state: None,
+        tell=lambda news: _tell(news, dish if as_json else None), recorder=recorder,
     )  # fmt: skip
     host, port = service.address
     if as_json:
@@ -227,14 +227,15 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
         service.shutdown()
 
 
-def _tell(news: ClientNews, *, as_json: bool) -> None:
-    """Tell of a client that came, is gone, or was not let in. On the server's thread."""
-    from birdcage.cli.say import say, tell_json
+def _tell(news: ClientNews, as_json: StationCommand | None) -> None:
+    """Tell of a client that came, is gone, or was not let in: for this command as JSON, too. On the server's thread."""
+    from birdcage.cli.say import say
+    from birdcage.cli.station_run import tell_while_read
     from birdcage.rotctld.client_words import words_of_news
 
     client = news.client
-    if as_json:
-        tell_json({
+    if as_json is not None:
+        tell_while_read(as_json, {
             "v": 1, "type": "ClientCame" if news.why is None else "ClientLeft", "name": client.name,
             "program": client.program.value or None, "address": client.address, "why": news.why,
         })  # fmt: skip

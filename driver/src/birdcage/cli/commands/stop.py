@@ -81,7 +81,7 @@ def _ring(dish: Wanted) -> list[dict[str, Any]]:
 
 def _ring_one(owner: Owner) -> dict[str, Any] | None:
     from birdcage.base.errors import CommandRefused
-    from birdcage.cli.app import EndedBySignal
+    from birdcage.cli.exits import EndedBySignal
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
     from birdcage.station.requests import Stop
 
