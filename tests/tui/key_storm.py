@@ -67,7 +67,7 @@ class Storm:
         self._stops = self._out = 0
         self._fates: dict[int, str] = {}
         station, keys = self.app.station, self.app.keys
-        submit, stop, deal, stop_key = station.submit, station.stop, keys._deal, keys._stop_key
+        submit, stop, deal, means_stop = station.submit, station.stop, keys._deal, keys._means_stop
         self.requests: list[object] = []
 
         def submitting(request):
@@ -84,14 +84,14 @@ class Storm:
                 self._typed(typed)
             await deal(typed)
 
-        def stopping_key(key):
-            stopped = stop_key(key)
-            if stopped:
+        def meaning_stop(key):
+            stops = means_stop(key)
+            if stops:
                 self._fates[id(key)] = "stop"
-            return stopped
+            return stops
 
         station.submit, station.stop = submitting, stopping
-        keys._deal, keys._stop_key = dealing, stopping_key
+        keys._deal, keys._means_stop = dealing, meaning_stop
         self.app.session.on_wire(self._heard)
 
     def _heard(self, entry) -> None:

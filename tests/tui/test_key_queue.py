@@ -13,6 +13,7 @@ from birdcage_tui.shell.key_queue import settled
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from burst import key_of, settle, typed, write
 from stage import run
+from textual.events import MouseDown
 
 
 def after(*names, state="idle", look=lambda app: None, **options):
@@ -102,6 +103,65 @@ def test_an_enter_that_was_read_before_space_does_not_let_go_of_held():
         return stopped, app.station.asked_for(Release)
 
     assert run(body) == ((["you"], []), [Release("you")])
+
+
+@pytest.mark.parametrize(
+    ("names", "way"),
+    [
+        (("enter",), "space"),
+        (("enter",), "ctrl+c"),
+        (("f2", "enter"), "space"),
+        (("colon", *"release", "enter"), "ctrl+c"),
+    ],
+)
+def test_an_enter_under_way_that_stop_overtakes_does_not_let_go_of_held(names, way):
+    async def body(app, pilot):
+        keys, deal = app.keys, app.keys._deal
+
+        async def overtaken(key):
+            if key.key == "enter":
+                keys.read(key_of(way))
+            await deal(key)
+
+        write(app, *names[:-1])
+        await settle(app)
+        keys._deal = overtaken
+        write(app, names[-1])
+        await settle(app)
+        keys._deal = deal
+        overtaken = app.station.stops, app.station.asked_for(Release)
+        write(app, *names)
+        await settle(app)
+        return overtaken, app.station.asked_for(Release)
+
+    assert run(body, "held") == ((["you"], []), [Release("you")])
+
+
+@pytest.mark.parametrize("key", ["enter", "click"])
+def test_what_comes_after_stop_lets_go_of_held(key):
+    async def body(app, pilot):
+        await pilot.press("space")
+        if key == "enter":
+            await pilot.press("enter")
+        else:
+            await app.on_event(MouseDown(None, 1, 1, 0, 0, 1, False, False, False, 1, 1))  # as the driver reads it
+        await pilot.pause()
+        return app.station.asked_for(Release)
+
+    assert run(body, "held") == [Release("you")]
+
+
+def test_an_enter_that_waits_for_its_turn_is_dropped_once_a_stop_is_read():
+    async def body(app, pilot):
+        app.keys._settling = object()  # the last key is still being dealt with
+        await app.on_event(key_of("enter"))
+        app.keys.read(key_of("ctrl+c"))  # on the thread of the keys: the app's has not seen it yet
+        app.keys._settling = None
+        await app.keys._next()
+        await pilot.pause()
+        return app.station.stops, app.station.asked_for(Release)
+
+    assert run(body, "held") == (["you"], [])
 
 
 def test_what_waits_behind_another_key_is_dropped_by_stop():

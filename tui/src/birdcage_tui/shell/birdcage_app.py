@@ -101,7 +101,7 @@ class BirdcageApp(App[None]):
         if not self.settings.tour:
             self._tour.end()
         self._unsubscribe: Callable[[], None] | None = None
-        self.keys = KeyQueue(self, super().on_event, self.stop_key, self._stopped)
+        self.keys = KeyQueue(self, super().on_event, self.means_stop, self._stop, self._stopped)
         self._start_objects = StartObjects()
 
     def get_driver_class(self) -> type[Driver]:
@@ -285,16 +285,15 @@ class BirdcageApp(App[None]):
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
         self.stage.typing_changed()
 
-    def stop_key(self, event: events.Key) -> bool:
-        """STOP on Ctrl+C, on Space outside text fields, on Esc while anything may move; return whether. Any thread."""
+    def means_stop(self, event: events.Key) -> bool:
+        """Return whether a key is STOP now: Ctrl+C, Space outside text, Esc while anything may move. Any thread."""
         if event.key == "space":
             screens = self.screen_stack  # none when the app ends
-            stops = not (screens and isinstance(screens[-1].focused, Input | TextArea))
-        else:
-            stops = event.key == "ctrl+c" or (event.key == "escape" and self.view_may_move())
-        if stops:
-            self.station.stop(YOU)
-        return stops
+            return not (screens and isinstance(screens[-1].focused, Input | TextArea))
+        return event.key == "ctrl+c" or (event.key == "escape" and self.view_may_move())
+
+    def _stop(self) -> None:
+        self.station.stop(YOU)
 
     def view_may_move(self) -> bool:
         """Return whether anything moves or may move by itself. Any thread."""

@@ -17,6 +17,7 @@ from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.shell.appearance import next_theme
+from birdcage_tui.shell.key_queue import KeyQueue
 from birdcage_tui.shell.live_context import ContextHost, LiveContext
 from birdcage_tui.shell.questions import Questions
 from birdcage_tui.shown.unready import SETUP, setup_step
@@ -33,6 +34,7 @@ class DeedHost(ContextHost, Protocol):
     settings: AppOptions
     station: FaceStation
     questions: Questions
+    keys: KeyQueue
 
     @property
     def page(self) -> Page:
@@ -113,7 +115,8 @@ class Deeds:
         if state.fault is not None:
             self._host.ask(AcknowledgeFault(YOU))
         elif state.held is not None:
-            self._host.ask(Release(YOU))
+            if not self._host.keys.is_overtaken:
+                self._host.ask(Release(YOU))
         elif state.motion_refused_because:
             self._host.questions.limits(state.motion_refused_because)
         self._host.say("")

@@ -12,7 +12,7 @@ from collections.abc import Awaitable, Callable
 from contextlib import suppress
 
 from textual.app import App
-from textual.events import Event, Key, Paste
+from textual.events import Event, Key, MouseDown, Paste
 from textual.message_pump import MessagePump
 from textual.widget import Widget
 
@@ -28,21 +28,27 @@ LOOK_S = 0.005
 class KeyQueue:
     """Deals with what is typed, in its order; only STOP overtakes.
 
-    `stop_key` stops the dish if a key means STOP now, and returns whether it did; `tell_stop` says so on the screen.
+    `means_stop` says whether a key means STOP now, `stop` stops the dish, on any thread; `tell_stop` says so on the
+    screen.
     """
 
     def __init__(
         self,
         app: App[None],
         deal: Callable[[Typed], Awaitable[None]],
-        stop_key: Callable[[Key], bool],
+        means_stop: Callable[[Key], bool],
+        stop: Callable[[], object],
         tell_stop: Callable[[], object],
     ) -> None:
-        self._app, self._deal, self._stop_key, self._tell_stop = app, deal, stop_key, tell_stop
+        self._app, self._deal, self._tell_stop = app, deal, tell_stop
+        self._means_stop, self._stop = means_stop, stop
         self._read: deque[tuple[Key, bool]] = deque(maxlen=READ_AHEAD)
         """Keys that were read and not taken yet, and whether each has stopped the dish already."""
-        self._waiting: deque[Typed] = deque()
+        self._waiting: deque[tuple[Typed, int]] = deque()
+        """What waits for its turn, and how many STOPs had been typed before it."""
         self._settling: asyncio.Task[None] | None = None
+        self._stops_typed = self._stops_before = 0
+        """STOPs so far, and those before what was dealt with last."""
         self.closed = False
         """Whether the app ends: nothing is dealt with any more, STOP excepted."""
 
@@ -51,24 +57,40 @@ class KeyQueue:
         """Whether all that was typed has been dealt with."""
         return not self._waiting and self._settling is None
 
+    @property
+    def is_overtaken(self) -> bool:
+        """Whether STOP was typed after what the app does now: an Enter under way must not let go of HELD."""
+        return self._stops_before != self._stops_typed
+
     def read(self, key: Key) -> None:
         """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
-        self._read.append((key, self._stop_key(key)))
+        self._read.append((key, self._stops(key)))
+
+    def _stops(self, key: Key) -> bool:
+        """Stop the dish if that is what a key means; return whether it does."""
+        if not self._means_stop(key):
+            return False
+        self._stops_typed += 1  # first: what is under way may come to its end at any moment
+        self._stop()
+        return True
 
     async def take(self, event: Event) -> bool:
         """Deal with a key or a paste now, or as soon as its turn comes; return False for what goes on by itself."""
+        stops = self._stops_typed
+        if isinstance(event, MouseDown):
+            self._stops_before = stops
         if not isinstance(event, Typed):
             return False
         if event.is_forwarded:
             return self.closed or not self._app.screen_stack  # no page is left for it
-        if isinstance(event, Key) and (self._has_stopped(event) or self._stop_key(event)):
+        if isinstance(event, Key) and (self._has_stopped(event) or self._stops(event)):
             self._spent_on_stop()
         elif self.closed or any(stopped for _, stopped in tuple(self._read)):
             pass  # a STOP was typed after it, and has gone out: it comes too late
         elif self._waiting or self._settling is not None:
-            self._waiting.append(event)
+            self._waiting.append((event, stops))
         else:
-            await self._begin(event)
+            await self._begin(event, stops)
         return True
 
     def _has_stopped(self, key: Key) -> bool:
@@ -88,7 +110,8 @@ class KeyQueue:
         self.closed = True
         self._waiting.clear()
 
-    async def _begin(self, typed: Typed) -> None:
+    async def _begin(self, typed: Typed, stops_before: int) -> None:
+        self._stops_before = stops_before
         await self._deal(typed)
         self._settling = asyncio.create_task(self._settle())
 
@@ -105,11 +128,13 @@ class KeyQueue:
         """Deal with the one that has waited longest. What came before it may have left a text field."""
         if not self._waiting or self._settling is not None:
             return
-        typed = self._waiting.popleft()
-        if isinstance(typed, Key) and self._stop_key(typed):
+        typed, stops = self._waiting.popleft()
+        if stops != self._stops_typed:
+            self._waiting.clear()  # a STOP was typed after all of it, and has gone out
+        elif isinstance(typed, Key) and self._stops(typed):
             self._spent_on_stop()
         else:
-            await self._begin(typed)
+            await self._begin(typed, stops)
 
 
 async def settled(app: App[None]) -> None:

@@ -25,6 +25,7 @@ from birdcage_tui.commands.jog import STEPS_DEG
 from birdcage_tui.feeds.horizon_book import HorizonBook
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.goto.reach import refusal_of
+from birdcage_tui.shell.key_queue import KeyQueue
 from birdcage_tui.shown.pursuit import pursuit_of
 from birdcage_tui.shown.view import YOU
 
@@ -37,6 +38,7 @@ class MotionHost(Protocol):
     station: FaceStation
     horizon: HorizonBook
     track: TrackFeed
+    keys: KeyQueue
 
     def say(self, words: str) -> None:
         """Tell what was done, or why not, in one sentence."""
@@ -138,6 +140,8 @@ class Motions:
     def resume(self) -> None:
         """Follow again what was interrupted: release first what is held, and go on once that is done."""
         host = self._host
+        if host.keys.is_overtaken:
+            return
         if host.station.state.held is None:
             self._resume()
             return
