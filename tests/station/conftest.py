@@ -15,6 +15,22 @@ from birdcage.station.settings import StationSettings
 from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
+from .attached_bench import callers, served
+
+
+@pytest.fixture
+def owner(tmp_path):
+    """A station that attached programs see (`OwnerStandIn`)."""
+    with served(tmp_path) as owner:
+        yield owner
+
+
+@pytest.fixture
+def attach(owner):
+    """What attaches programs to it that say what a test wants."""
+    with callers(owner) as attach:
+        yield attach
+
 
 class RunningClock(VirtualClock):
     """Goes on between two looks at it, as a real one does: what is due at a later look is not due at an earlier."""

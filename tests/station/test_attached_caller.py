@@ -21,19 +21,7 @@ from birdcage.station.state import StationState
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from .attached_bench import Caller, callers, is_alone, served, tell, until
-
-
-@pytest.fixture
-def owner(tmp_path):
-    with served(tmp_path) as owner:
-        yield owner
-
-
-@pytest.fixture
-def attach(owner):
-    with callers(owner) as attach:
-        yield attach
+from .attached_bench import Caller, is_alone, tell, until
 
 
 def test_it_is_told_the_whole_state_first_and_what_changes_after_that(owner, attach) -> None:

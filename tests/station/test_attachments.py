@@ -18,19 +18,7 @@ from birdcage.station.events import LeaseChanged
 from birdcage.station.requests import AcquireLease, Goto, ReleaseLease, Unwatch, Watch
 from birdcage.station.state import Activity, LinkPhase
 
-from .attached_bench import callers, is_alone, served, tell, until
-
-
-@pytest.fixture
-def owner(tmp_path):
-    with served(tmp_path) as owner:
-        yield owner
-
-
-@pytest.fixture
-def attach(owner):
-    with callers(owner) as attach:
-        yield attach
+from .attached_bench import is_alone, tell, until
 
 
 def test_a_watch_goes_by_a_name_of_its_own_and_ends_with_its_caller(owner, attach) -> None:

@@ -18,7 +18,7 @@ from birdcage.station.services import News
 
 from tests.tracking.orbits import plan_of
 
-from .attached_bench import callers, served, until
+from .attached_bench import until
 
 
 class Counter:
@@ -50,18 +50,6 @@ class Visit:
 
     def close(self) -> None:
         self.closed = True
-
-
-@pytest.fixture
-def owner(tmp_path):
-    with served(tmp_path) as owner:
-        yield owner
-
-
-@pytest.fixture
-def attach(owner):
-    with callers(owner) as attach:
-        yield attach
 
 
 @pytest.fixture

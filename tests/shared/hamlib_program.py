@@ -1,0 +1,40 @@
+"""One of Hamlib's own daemons with its dummy machine: what our replies and questions are held against."""
+
+from __future__ import annotations
+
+import shutil
+import socket
+import subprocess
+import time
+from contextlib import contextmanager
+
+import pytest
+
+START_S, END_S = 10.0, 5.0
+
+
+@contextmanager
+def hamlib_program(name):
+    """Run `rigctld` or `rotctld` on a free port of this machine until the end; give the port."""
+    program = shutil.which(name)
+    if program is None:
+        pytest.skip(f"Hamlib's {name} is not installed (libhamlib-utils)")
+    with socket.create_server(("127.0.0.1", 0)) as free:
+        port = free.getsockname()[1]
+    daemon = subprocess.Popen(
+        [program, "-m", "1", "-T", "127.0.0.1", "-t", str(port)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+    try:
+        until = time.monotonic() + START_S
+        while True:
+            try:
+                socket.create_connection(("127.0.0.1", port), 1.0).close()
+                break
+            except OSError:
+                assert daemon.poll() is None, f"{name} ended by itself"
+                assert time.monotonic() < until, f"{name} does not listen"
+                time.sleep(0.02)
+        yield port
+    finally:
+        daemon.terminate()
+        daemon.wait(END_S)
