@@ -72,6 +72,11 @@ class PtyTerminal:
     def press(self, keys: bytes) -> None:
         os.write(self._master, keys)
 
+    @property
+    def unread(self) -> int:
+        """How many bytes that were pressed the program has not read yet."""
+        return struct.unpack("i", fcntl.ioctl(self._slave, termios.FIONREAD, bytes(4)))[0]
+
     def signal(self, number: int) -> None:
         self.process.send_signal(number)
 

@@ -57,8 +57,11 @@ class TerminalStorm:
             self.app.press(b"".join(keys))
         self.app.press(b"\x03")
         self.pressed += 1
+        self.until(lambda: not self.app.unread, "it reads no keys")
+        self._asked_again()  # by now Ctrl+C was STOP: another key may have held the dish before
         self.until(self.is_held, "Ctrl+C was no STOP")
         self.dish.wait_for(lambda truth: not truth.moving)
+        self._asked_again()  # the app has seen it at rest: Esc stops nothing
         lines = len(self.dish.lines())
         for _ in range(6):  # out of what lies over the page: one Esc a write, as together they may be another key
             self.app.press(b"\x1b")
@@ -67,6 +70,11 @@ class TerminalStorm:
         assert not turns, f"after {self.pressed} keys it was turned while held: {turns}"
         assert self.is_held(), f"after {self.pressed} keys: Esc has let go of HELD"
         self.until(self._let_go, "Enter does not let go")
+
+    def _asked_again(self) -> None:
+        """Wait until the app has asked the dish twice more."""
+        lines = len(self.dish.lines())
+        self.until(lambda: len(self.dish.lines()) >= lines + 2, "the dish is not asked")
 
     def _let_go(self) -> bool:
         self.app.press(b"\x1b")  # while it may still move, Esc has stopped it, and closed nothing
