@@ -32,11 +32,18 @@ class MotionState:
         """How many motions the machine has taken, at least in one axis."""
         self.is_kept = False
         """Whether nothing of the motion was let out yet: a STOP that is latched now keeps all of it."""
+        self._before: DishMotion | None = None
+        """What was under way when the one that is kept was begun."""
 
     @property
     def busy(self) -> MoveKind | None:
         """What the machine is so busy with that nothing sent gets through to it; None normally."""
         return self._busy
+
+    @property
+    def rests_until_let_out(self) -> bool:
+        """Whether nothing of the motion was let out yet, and none was under way before it."""
+        return self.is_kept and self._before is None
 
     @contextmanager
     def begin(self, planned: DishMotion) -> Iterator[DishMotion | None]:
@@ -47,7 +54,7 @@ class MotionState:
         taken = self.taken
         # Before the first byte: a STOP that comes after that byte must know what to stop.
         with self.lock:
-            before = self.assume(planned)
+            before = self._before = self.assume(planned)
             self.is_kept = True
         try:
             yield before

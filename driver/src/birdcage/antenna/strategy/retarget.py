@@ -8,6 +8,7 @@ from birdcage.antenna.motion import DishMotion
 from birdcage.antenna.rest import STILL_DEG
 from birdcage.antenna.sender import LATE_S
 from birdcage.antenna.strategy.strategy import (
+    DROPPED,
     LOOK,
     NOTHING_MOVED,
     MotionStrategy,
@@ -71,6 +72,8 @@ class Retarget(MotionStrategy):
         """Send its own command, or aim ahead of the motion as it is modelled."""
         antenna = self._antenna
         motion = antenna.motion
+        if motion is not None and antenna.moving.rests_until_let_out:
+            return DROPPED if unplanned is Unplanned.NONE else LOOK
         if self.commands and (motion is not None or unplanned is not Unplanned.NONE):
             return self.commanded()
         if (motion is not None or unplanned is not Unplanned.NONE) and self._retargets:
