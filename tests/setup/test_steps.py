@@ -338,3 +338,14 @@ def test_a_fault_of_the_station_is_a_failed_step(house):
     house.until(lambda: not house.setup.busy)
     assert house.marks()["north"] == "failed"
     assert house.view("north").choices[0].name == "release"
+
+
+def test_a_stop_behind_the_release_of_a_step_holds(house):
+    house.station.stop("you")
+    house.run(2)
+    house.setup.choose("north", "release", {})
+    house.station.stop("you")  # before the station has served any of it
+    house.until(lambda: not house.setup.busy)
+    house.run(2)
+    assert house.state.held is not None
+    assert "STOP came after this release" in house.view("north").evidence

@@ -123,4 +123,4 @@ def test_what_a_raw_line_has_set_in_motion_is_looked_for_though_a_move_is_kept()
     said = stopped_before_its_line(bench, Goto(150.0, 45.0, "you"))
     assert said.means == "look"
     assert bench.state.last_stop.confirmed is True
-    assert 100.5 < bench.device.truth().az_deg, "it went to the end"
+    assert bench.device.truth().az_deg > 100.5, "it went to the end"

@@ -6,6 +6,7 @@ import random
 import time
 from threading import Event
 
+from birdcage.base.geometry import shortest_turn
 from pty_dish import PtyDish
 from pty_terminal import BOUND_S, PtyTerminal
 
@@ -19,7 +20,8 @@ NAMED = [
 CONTROL = [bytes([code]) for code in range(1, 27) if code not in (0x03, 0x11, 0x13)]
 """Ctrl+letters, but for Ctrl+C, which is pressed apart, Ctrl+Q, the way out, and Ctrl+S, which is the terminal's."""
 MOUSE = [b"\x1b[<0;%d;%dM", b"\x1b[<0;%d;%dm", b"\x1b[<64;%d;%dM"]
-TURNS = ("a ", "g ", "h ")
+OVERSHOOT_DEG = 0.3
+"""A STOP that is sent again has the same target, which a dish comes to rest beside."""
 
 
 def storm(seed, keys, folder):
@@ -61,13 +63,14 @@ class TerminalStorm:
         self._asked_again()  # by now Ctrl+C was STOP: another key may have held the dish before
         self.until(self.is_held, "Ctrl+C was no STOP")
         self.dish.wait_for(lambda truth: not truth.moving)
-        self._asked_again()  # the app has seen it at rest: Esc stops nothing
-        lines = len(self.dish.lines())
+        rests = self.dish.device.truth()
         for _ in range(6):  # out of what lies over the page: one Esc a write, as together they may be another key
             self.app.press(b"\x1b")
             Event().wait(0.15)
-        turns = [line for line in self.dish.lines()[lines:] if line.startswith(TURNS)]
-        assert not turns, f"after {self.pressed} keys it was turned while held: {turns}"
+        self.dish.wait_for(lambda truth: not truth.moving)  # where the app has not seen it at rest, Esc was STOP
+        here = self.dish.device.truth()
+        turned_deg = max(abs(shortest_turn(rests.az_deg, here.az_deg)), abs(here.el_deg - rests.el_deg))
+        assert turned_deg < OVERSHOOT_DEG, f"after {self.pressed} keys it was turned by {turned_deg:.2f} deg while held"
         assert self.is_held(), f"after {self.pressed} keys: Esc has let go of HELD"
         self.until(self._let_go, "Enter does not let go")
 

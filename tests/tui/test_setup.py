@@ -15,6 +15,7 @@ from birdcage_tui.setup.form import ChoiceButton
 from birdcage_tui.setup.steps import StepsPane
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.status import BadDayRow
+from burst import key_of, write
 from setup_stage import press, run, settle
 from textual.widgets import Input
 
@@ -335,6 +336,24 @@ def test_enter_takes_the_step_s_own_release_and_does_not_only_acknowledge():
     text, asked = run(go_on, "home", "fault")
     assert asked == [("home", "release", {})]
     assert "Enter acknowledges the fault first" not in text
+
+
+def test_an_enter_that_stop_has_overtaken_takes_no_release_of_a_step():
+    async def look(app, pilot, engine):
+        engine.change("home", choices=(Choice("release", "enter", "I did that: go on"),))
+        await settle(app, pilot)
+        keys, deal = app.keys, app.keys._deal
+
+        async def overtaken(key):
+            keys.read(key_of("ctrl+c"))
+            await deal(key)
+
+        keys._deal = overtaken
+        write(app, "enter")
+        await settle(app, pilot)
+        return app.station.stops, engine.asked
+
+    assert run(look, state="held") == (["you"], [])
 
 
 def test_enter_in_a_field_that_may_stay_empty_sends_what_was_typed_before_it():

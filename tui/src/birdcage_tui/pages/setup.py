@@ -174,7 +174,9 @@ class SetupPage(SetupBody):
             if not self.wrong:
                 self.form.forget(step)
 
-        if choice.moves:
+        if choice.name == "release":
+            self.host.keys.let_go(give)
+        elif choice.moves:
             self._when_clear(give)
         else:
             give()

@@ -115,8 +115,7 @@ class Deeds:
         if state.fault is not None:
             self._host.ask(AcknowledgeFault(YOU))
         elif state.held is not None:
-            if not self._host.keys.is_overtaken:
-                self._host.ask(Release(YOU))
+            self._host.keys.let_go(lambda: self._host.ask(Release(YOU)))
         elif state.motion_refused_because:
             self._host.questions.limits(state.motion_refused_because)
         self._host.say("")

@@ -62,6 +62,14 @@ class KeyQueue:
         """Whether STOP was typed after what the app does now: an Enter under way must not let go of HELD."""
         return self._stops_before != self._stops_typed
 
+    def let_go(self, release: Callable[[], object]) -> None:
+        """Let go of HELD by what is dealt with now, unless STOP was typed after it."""
+        if self.is_overtaken:
+            return
+        release()
+        if self.is_overtaken:
+            self._stop()  # it was typed in this moment, and may have been taken for one that is released
+
     def read(self, key: Key) -> None:
         """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
         self._read.append((key, self._stops(key)))

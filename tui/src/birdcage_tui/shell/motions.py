@@ -150,7 +150,7 @@ class Motions:
             error = None if future.cancelled() else future.exception()
             host.soon(self._resume if error is None else partial(host.say, str(error)))
 
-        host.station.submit(Release(YOU)).add_done_callback(released)
+        host.keys.let_go(lambda: host.station.submit(Release(YOU)).add_done_callback(released))
 
     def _resume(self) -> None:
         source, now = self._host.track.source, self._host.track.now

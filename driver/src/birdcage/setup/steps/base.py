@@ -174,8 +174,9 @@ class Step:
 
     def release(self) -> Plan:
         """Acknowledge and release; nothing moves by it."""
-        yield self.bench.ask(AcknowledgeFault(self.bench.holder))
-        yield self.bench.ask(Release(self.bench.holder))
+        # Both are asked for now: a STOP that comes later is none that this releases.
+        asked = [self.bench.ask(AcknowledgeFault(self.bench.holder)), self.bench.ask(Release(self.bench.holder))]
+        yield from asked
 
     def release_after_restart(self) -> Plan:
         """Let go of what the dish's own search or a restart has latched; a person's STOP holds."""
