@@ -137,6 +137,23 @@ def test_an_enter_under_way_that_stop_overtakes_does_not_let_go_of_held(names, w
     assert run(body, "held") == ((["you"], []), [Release("you")])
 
 
+def test_a_stop_typed_while_held_is_let_go_of_is_said_again():
+    async def body(app, pilot):
+        submit = app.station.submit
+
+        def submitting(request):
+            if isinstance(request, Release):
+                app.keys.read(key_of("ctrl+c"))  # on the thread of the keys
+            return submit(request)
+
+        app.station.submit = submitting
+        write(app, "enter")
+        await settle(app)
+        return app.station.asked_for(Release), app.station.stops
+
+    assert run(body, "held") == ([Release("you")], ["you", "you"])
+
+
 @pytest.mark.parametrize("key", ["enter", "click"])
 def test_what_comes_after_stop_lets_go_of_held(key):
     async def body(app, pilot):
