@@ -60,7 +60,7 @@ class TerminalStorm:
         self.app.press(b"\x03")
         self.pressed += 1
         self.until(lambda: not self.app.unread, "it reads no keys")
-        self._asked_again()  # by now Ctrl+C was STOP: another key may have held the dish before
+        self._asked_again()  # Ctrl+C was STOP then. Another key may have held the dish before.
         self.until(self.is_held, "Ctrl+C was no STOP")
         self.dish.wait_for(lambda truth: not truth.moving)
         rests = self.dish.device.truth()
