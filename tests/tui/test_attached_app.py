@@ -177,8 +177,11 @@ def test_a_program_that_is_gone_is_shown_at_once_and_the_next_one_is_attached_to
     assert owner.stops == []
 
 
+@pytest.mark.parametrize("state", ["idle", "held"])
 @pytest.mark.parametrize("size", SIZES)
-def test_a_program_that_is_frozen_is_told_of_once_stop_has_no_answer(owner, size):
+def test_a_program_that_is_frozen_is_told_of_once_stop_has_no_answer(owner, size, state):
+    show(owner, state, last_stop=None)
+
     async def freeze(app, pilot):
         owner.thawed.clear()
         await pilot.press("space")

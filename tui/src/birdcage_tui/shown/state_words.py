@@ -210,8 +210,6 @@ def _stop_lost(view: View) -> str | None:
     stopped = view.state.last_stop
     if not view.via or stopped is None or stopped.confirmed is not False or stopped.means is not StopMeans.NO_LINK:
         return None
-    if view.state.held is not None and view.link_up:
-        return None  # the row of HELD tells it
     return f"✖ STOP DID NOT GET THROUGH  {stopped.sentence}"
 
 
