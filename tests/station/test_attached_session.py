@@ -17,6 +17,7 @@ from birdcage.station.attach_messages import wire_from_json
 from birdcage.station.attached_session import AttachedSession, attach_session, judge_by_state, what_goes_on
 from birdcage.station.control_client import owner_file, owners_folder
 from birdcage.station.events import LeaseChanged
+from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.raw import CONSOLE, OTHER_CONSOLE, Grade, MenuCommand, RawReply
 from birdcage.station.requests import (
     AcquireLease,
@@ -36,6 +37,7 @@ from birdcage.station.wire_stream import AT_ONCE, KEPT, WireStream
 
 from .attached_bench import served, until
 from .conftest import Bench
+from .pursuit_bench import plan_of
 
 
 @pytest.fixture
@@ -267,6 +269,17 @@ def test_its_end_without_a_program_says_that_nothing_is_known(app, owner):
     owner.server.close()
     until(lambda: app.station.state.link.state is LinkPhase.LOST)
     assert "It is unknown whether the dish moves." in app.close()
+
+
+def test_a_pursuit_that_was_told_as_an_outline_is_not_drawn_and_is_told_of_all_the_same(app, owner, monkeypatch):
+    monkeypatch.setattr(app.station.services, "with_plan", lambda state: state)
+    now = owner.clock.monotonic()
+    pursuit = Pursuit(1, "tracker", plan_of(owner.clock.utc().timestamp()), PursuitOptions(), Phase.FOLLOWING, now, "")
+    owner.board.change(pursuit=pursuit, activity=Activity.FOLLOWING)
+    until(lambda: app.station.state.activity is Activity.FOLLOWING)
+    assert app.station.state.pursuit is None
+    assert app.station.followed == "follows NOAA 19"
+    assert "goes on: the dish follows NOAA 19." in app.close()
 
 
 def test_what_goes_on_is_told_in_words():

@@ -248,7 +248,7 @@ def test_what_counts_down_there_is_told_here(owner, size):
 
     async def look(app, pilot):
         await until(pilot, lambda: app.station.state.tasks)
-        assert "▲ MOVES for the pursuit in" in text_of(app).splitlines()[1]
+        assert "▲ MOVES to 100°/30° for NOAA 19" in text_of(app).splitlines()[1]
         assert "Space cancels" in text_of(app).splitlines()[1]
 
     run(owner, look, size)
