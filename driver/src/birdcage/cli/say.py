@@ -8,26 +8,37 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
+from threading import RLock
+from typing import TYPE_CHECKING, TextIO
 
 from birdcage.cli.exits import SIGPIPE, EndedBySignal
 
 if TYPE_CHECKING:
     from birdcage.station.state import Pointing
 
+_PRINTS = RLock()
+"""Held while a line is printed; a signal may come in the middle of one, and have another one printed."""
+
 
 def say(sentence: str) -> None:
     """Tell a person something. The terminal may be gone (SIGHUP): what follows must happen all the same."""
     with contextlib.suppress(OSError):
-        print(sentence, file=sys.stderr, flush=True)
+        _print(sentence, sys.stderr)
 
 
 def tell(line: str) -> None:
     """Print a line of data. `EndedBySignal` (SIGPIPE) where whoever read it is gone, as `head` is after ten lines."""
     try:
-        print(line, flush=True)
+        _print(line, sys.stdout)
     except BrokenPipeError:
         raise EndedBySignal(SIGPIPE) from None
+
+
+def _print(line: str, stream: TextIO) -> None:
+    """Print a line whole. `print` writes its end apart, and a line of another thread may come between."""
+    with _PRINTS:
+        stream.write(f"{line}\n")
+        stream.flush()
 
 
 def drop_stdout() -> None:
