@@ -44,6 +44,7 @@ class DeskBench:
     now: datetime = NOW
     favourites: tuple[int, ...] = ()
     """Places in `ORBITS`."""
+    port: str = "sim:test"
 
     orbits = ORBITS
     short = SHORT
@@ -64,12 +65,14 @@ class DeskBench:
         self.opened = []
         rules = rules_from(self.settings)
         self.station = Station(self.clock, StationSettings(
-            port="sim:test", firmware=self.address.partition("?")[0], open_link=self._open,
+            port=self.port, firmware=self.address.partition("?")[0], open_link=self._open,
             **{name: getattr(rules, name) for name in rules.__slots__},
         ))  # fmt: skip
         self.session = Session(self.clock, self.station)
         self.station.subscribe(self.events.append)
-        setup = DeskSetup(self.paths.catalogue, lambda: self.settings, self.paths, self.observer)
+        setup = DeskSetup(
+            self.paths.catalogue, lambda: self.settings, self.paths, self.observer, load=lambda: self.settings
+        )
         self.desk = PursuitDesk(self.station, self.clock, setup, self.told.append, threads=False)
         self.station.submit(Watch("test", frozenset({"position"}), 1.0))
         self._desk_at = self.clock.monotonic()

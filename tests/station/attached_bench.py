@@ -17,6 +17,7 @@ from birdcage.station.control_server import ControlServer
 from birdcage.station.events import TranscriptLine
 from birdcage.station.json_form import to_json
 from birdcage.station.json_lines import LineReader
+from birdcage.station.services import Services
 from birdcage.station.state import LinkPhase
 
 from .owner_stand_in import OwnerStandIn
@@ -29,13 +30,15 @@ def served(tmp_path) -> Iterator[OwnerStandIn]:
     port.touch()
     owner = OwnerStandIn(str(port))
     folder = owners_folder(Paths.default())
-    owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen)
+    owner.services = Services()
+    owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen, services=owner.services)
     owner.link(LinkPhase.UP)
     owner.found = find_owner(folder, str(port))
 
     def serve_again() -> None:
         """Let another program have the port, after this one's server was closed."""
-        owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen)
+        owner.services = Services()
+        owner.server = ControlServer(owner, folder, on_wire=owner.transcript.listen, services=owner.services)
         owner.link(LinkPhase.UP)
 
     owner.serve_again = serve_again

@@ -65,7 +65,7 @@ def ask(caller, number, kind, **fields) -> None:
 
 
 def test_each_caller_has_a_visit_of_its_own(owner, face):
-    owner.server.services.offer("sum", service := Counter())
+    owner.services.offer("sum", service := Counter())
     other, heard, theirs = AttachedStation(Paths.default(), owner.state.port, name="bert"), [], []
     face.services.join("sum", heard.append)
     other.services.join("sum", theirs.append)
@@ -83,7 +83,7 @@ def test_a_service_that_comes_later_is_joined_then_and_one_that_goes_is_told(own
     with pytest.raises(CommandRefused) as refused:
         face.services.order("sum", 1).result(10.0)
     assert refused.value.reason is Reason.UNSUPPORTED
-    withdraw = owner.server.services.offer("sum", Counter())
+    withdraw = owner.services.offer("sum", Counter())
     until(lambda: heard == [None, {"total": 0}])
     withdraw()
     until(lambda: heard == [None, {"total": 0}, None])
@@ -91,18 +91,18 @@ def test_a_service_that_comes_later_is_joined_then_and_one_that_goes_is_told(own
 
 def test_the_next_program_is_joined_too(owner, face):
     heard = []
-    owner.server.services.offer("sum", Counter())
+    owner.services.offer("sum", Counter())
     face.services.join("sum", heard.append)
     until(lambda: heard == [{"total": 0}])
     owner.server.close()
     until(lambda: heard == [{"total": 0}, None])
     owner.serve_again()
-    owner.server.services.offer("sum", Counter())
+    owner.services.offer("sum", Counter())
     until(lambda: heard[-1] == {"total": 0})
 
 
 def test_an_order_that_is_garbage_is_refused_and_ends_nothing(owner, attach):
-    owner.server.services.offer("sum", Counter())
+    owner.services.offer("sum", Counter())
     anna = attach()
     ask(anna, 1, "JoinService")
     ask(anna, 2, "AskService", order={"much": [None]})
@@ -115,7 +115,7 @@ def test_an_order_that_is_garbage_is_refused_and_ends_nothing(owner, attach):
 
 
 def test_a_slow_reader_gets_the_newest_news_and_not_all(owner, attach):
-    owner.server.services.offer("sum", service := Counter())
+    owner.services.offer("sum", service := Counter())
     anna = attach()
     ask(anna, 1, "JoinService")
     anna.until(type="ServiceTold")
@@ -181,7 +181,7 @@ def test_an_attached_face_has_the_plan_of_a_pursuit_whole_and_is_told_it_once(ow
 
 def test_the_plans_of_news_are_told_before_them(owner, face):
     service, plan, heard = Counter(), plan_of(), []
-    owner.server.services.offer("sum", service)
+    owner.services.offer("sum", service)
     face.services.join("sum", heard.append)
     until(lambda: heard)
     service.visits[0].plans = (plan,)

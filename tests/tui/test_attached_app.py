@@ -255,23 +255,6 @@ def test_what_counts_down_there_is_told_here(owner, size):
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_nothing_can_be_followed_from_here_and_the_tab_says_why(owner, size):
-    async def look(app, pilot):
-        await pilot.press("2", "c")
-        await pilot.pause()
-        app.paint()
-        await pilot.pause()
-        words = " ".join(text_of(app).split())
-        assert "No tracker here: birdcage (process" in words
-        assert "Loading tracker" not in words
-        await pilot.press("f")
-        await pilot.pause()
-        assert app.feeds.notes.last.startswith("No tracker here:")
-
-    run(owner, look, size)
-
-
-@pytest.mark.parametrize("size", SIZES)
 def test_the_server_for_other_programs_is_elsewhere(owner, size):
     async def look(app, pilot):
         await pilot.press("2", "N")
@@ -290,7 +273,7 @@ def options(**given):
 
 
 def test_without_a_named_port_it_attaches_to_the_only_program_that_has_one(owner):
-    session, settings = run_app._build(options(baud="9600"), Paths.default())
+    session, settings, _services = run_app._build(options(baud="9600"), Paths.default())
     try:
         assert session.via.startswith("birdcage (process")
         assert settings.first_page == "dashboard"
@@ -301,7 +284,9 @@ def test_without_a_named_port_it_attaches_to_the_only_program_that_has_one(owner
 
 
 def test_with_another_port_it_opens_that_itself(owner, tmp_path):
-    session, settings = run_app._build(options(port=str(tmp_path / "elsewhere"), firmware="g2"), Paths.default())
+    session, settings, _services = run_app._build(
+        options(port=str(tmp_path / "elsewhere"), firmware="g2"), Paths.default()
+    )
     assert session.via == ""
     assert settings.network is not None
     assert settings.notice == ""

@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import pytest
+from birdcage.base.geometry import shortest_turn
 
 if sys.platform == "win32":
     pytest.skip("needs a pty", allow_module_level=True)
@@ -186,3 +187,24 @@ def test_the_second_app_attaches_to_the_first(house, dish):
     first.press(b"\x11")
     assert first.status() == 0
     second.wait_for(b"LINK LOST", after)
+
+
+def test_what_an_app_follows_goes_on_when_it_is_killed_and_the_next_app_shows_it(house, dish):
+    house.station()
+    app = house.app()
+    for keys, shown in ((b"2c", b"No target selected"), (b"/19.2E", b"Astra 19"), (b"\r", b"stands still"),
+                        (b"f", b"Enter follows"), (b"\r", b"control: tracker")):  # fmt: skip
+        after = len(app.output)
+        app.press(keys)
+        app.wait_for(shown, after)
+    dish.wait_for(lambda truth: truth.moving)
+    app.process.kill()
+    az_deg = dish.device.truth().az_deg
+    dish.wait_for(lambda truth: truth.moving and abs(shortest_turn(az_deg, truth.az_deg)) > 30.0)
+    later = PtyTerminal("birdcage-tui", columns=120, rows=36)
+    house.apps.append(later)
+    later.wait_for(b"GOING TO MEET 19.2")
+    after = len(later.output)
+    later.press(b" ")
+    later.wait_for(b"HELD", after)
+    dish.wait_for(lambda truth: not truth.moving)

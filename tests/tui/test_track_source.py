@@ -15,7 +15,7 @@ class Desk:
         self.applied = []
 
     def ask(self, order):
-        order(self)
+        order.carry_out(self)
 
     def apply(self, settings, observer):
         self.applied.append((settings, observer))

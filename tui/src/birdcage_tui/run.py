@@ -22,6 +22,7 @@ from birdcage.setup.first_run import is_first_run
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
+from birdcage.station.services import Services
 from birdcage.station.session import Session
 from birdcage.station.turn_memory import DishAsLeft, leave
 
@@ -35,7 +36,7 @@ from birdcage_tui.feeds.ready_watch import KeptChecks
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.signal_source import SessionSignals
 from birdcage_tui.feeds.sky_feed import make_sky
-from birdcage_tui.feeds.track_source import make_track
+from birdcage_tui.feeds.track_source import follow_there, make_track
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.options import SitePlace
 
@@ -120,7 +121,7 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
     """
     with ExitStack() as stack:
         try:
-            session, settings = _build(options, paths)
+            session, settings, services = _build(options, paths)
         except BirdcageError as wrong:
             return _complain(wrong)
         app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
@@ -130,7 +131,8 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             from birdcage.station.inhibitor import SleepInhibitor
 
             # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
-            stack.callback(ControlServer(session.station, owners_folder(paths), PROGRAM, session.on_wire).close)
+            control = ControlServer(session.station, owners_folder(paths), PROGRAM, session.on_wire, services)
+            stack.callback(control.close)
             stack.callback(SleepInhibitor(session.station).close)
         if settings.network is not None:
             stack.callback(settings.network.close)
@@ -193,7 +195,8 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
     return paths
 
 
-def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppOptions]:
+def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppOptions, Services]:
+    """Return the session, what the app is shown with, and what programs that are attached to it can join."""
     clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
     demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
     # Of its own, as there may be more than one demo in a process, each with a clock of its own.
@@ -261,13 +264,15 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         for given in [dotted for dotted in flags if dotted.startswith("place.")]:
             del flags[given]  # what a person says here counts over what was given at the start
 
-    signals, network, track = SessionSignals(session, settings, load_again), None, None
-    if attached is None:
+    signals, network, services = SessionSignals(session, settings, load_again), None, Services()
+    if attached is not None:
+        track = follow_there(attached.station)
+    else:
         network = StationNetwork(own.station, load_again)
         if settings.rotctld.in_app:
             network.switch()  # what is wrong with it is a warning, and shown
-        track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals)
-    return session, replace(
+        track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals, services=services)
+    shown = replace(
         _app_settings(settings, paths, demo=options.demo, unheeded=_unheeded(options) if attached else ""),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
@@ -281,6 +286,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         keep_place=keep_place,
         first_page="setup" if unset and not options.demo else "dashboard",
     )
+    return session, shown, services
 
 
 def _attach(paths: Paths, named: str | None) -> AttachedSession | None:

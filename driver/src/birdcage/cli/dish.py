@@ -26,6 +26,7 @@ from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
 from birdcage.station.requests import Watch
+from birdcage.station.services import Services
 from birdcage.station.session import Session
 from birdcage.station.state import LinkPhase, StationState
 from birdcage.station.station import Station
@@ -46,6 +47,8 @@ class DishSession(StationCommand):
 
     def __init__(self, session: Session, *, moves: bool) -> None:
         self.session = session
+        self.services = Services()
+        """What programs that are attached to this one can join."""
         super().__init__(session.station, moves=moves)
 
     @property
@@ -131,9 +134,10 @@ def open_dish(
         signals = take_signals(stack, dish)
         begun = dish.now
         if not wanted.port.startswith("sim:"):
-            stack.callback(
-                ControlServer(dish.station, owners_folder(wanted.paths), _program(), dish.session.on_wire).close
+            control = ControlServer(
+                dish.station, owners_folder(wanted.paths), _program(), dish.session.on_wire, dish.services
             )
+            stack.callback(control.close)
         if moves:
             stack.callback(SleepInhibitor(dish.station).close)
         dish.session.start()

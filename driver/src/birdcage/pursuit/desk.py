@@ -14,6 +14,7 @@ from birdcage.base.clock import Clock
 from birdcage.base.wake import Wake
 from birdcage.pursuit.desk_setup import DeskSetup
 from birdcage.pursuit.desk_work import DeskWork
+from birdcage.pursuit.face_search import OWN
 from birdcage.pursuit.now import DeskNow
 from birdcage.pursuit.orders import Order, PursuitOrders
 from birdcage.station.events import Event, Followed, LinkChanged, PursuitChanged
@@ -30,6 +31,7 @@ class PursuitDesk(PursuitOrders):
         self._clock, self._tell, self._threads = clock, tell, threads
         self._orders = _OrderQueue()
         self._work = DeskWork(station, clock, setup, self._orders.put, threads=threads)
+        self._faces: dict[str, Callable[[DeskNow], object]] = {}
         self._thread: threading.Thread | None = None
         self._starting = threading.Lock()
         """Kept until the thread runs: one that was not started yet can't be waited for."""
@@ -82,7 +84,25 @@ class PursuitDesk(PursuitOrders):
 
     def ask(self, order: Order) -> None:
         """Leave an order. Any thread."""
-        self._orders.put(partial(order, self._work))
+        self.ask_as(OWN, order)
+
+    def ask_as(self, face: str, order: Order) -> None:
+        """Leave an order of another face than this program's own. Any thread."""
+        self._orders.put(partial(order.carry_out_for, face, self._work))
+
+    def join(self, face: str, tell: Callable[[DeskNow], object]) -> Callable[[], None]:
+        """Let another face stand at the desk: it is told what it is shown, on the desk's thread. Returns its end."""
+
+        def begin() -> None:
+            self._work.faces.join(face)
+            self._faces[face] = tell
+
+        def end() -> None:
+            self._faces.pop(face, None)
+            self._work.faces.part(face)
+
+        self._orders.put(begin)
+        return partial(self._orders.put, end)
 
     # --- the desk's own thread
 
@@ -93,9 +113,14 @@ class PursuitDesk(PursuitOrders):
         rest_s = self._work.step()
         told = self._work.told()
         if told is not None and not self._closing:
-            self._now = told
-            self._tell(told)
+            self._show(told)
         return rest_s
+
+    def _show(self, told: DeskNow) -> None:
+        self._now = self._work.faces.seen_by(OWN, told)
+        self._tell(self._now)
+        for face, tell in self._faces.items():
+            tell(self._work.faces.seen_by(face, told))
 
     def _run(self) -> None:
         try:
@@ -107,8 +132,7 @@ class PursuitDesk(PursuitOrders):
         except BaseException as crash:  # noqa: BLE001 - whatever it is, the dish stays in the hands of the station
             # Kept for the face to tell: a traceback from this thread would land in the middle of its screen.
             self.crash = crash
-            self._now = DeskNow(self._clock.utc(), problem=f"The pursuit desk stopped: {crash!r}")
-            self._tell(self._now)
+            self._show(DeskNow(self._clock.utc(), problem=f"The pursuit desk stopped: {crash!r}"))
 
     def _hear(self, _event: Event) -> None:
         self._orders.put(self._work.look_again)

@@ -38,3 +38,13 @@ class DeskSetup:
     """Whether it offers, or goes on with, what was being followed when the program before it ended."""
     receiver: ReceiverSource | None = None
     """The receiver, where others look at its level, too; None: the desk has it alone."""
+    load: Callable[[], Settings] | None = None
+    """Reads the settings again; None where that is not wanted."""
+
+
+def observer_of(settings: Settings) -> Observer | None:
+    """Return where the dish stands by `[place]`; None where none is set."""
+    place = settings.place
+    if place.latitude_deg is None or place.longitude_deg is None:
+        return None
+    return Observer(place.latitude_deg, place.longitude_deg, place.height_m, name=place.name or "")

@@ -15,13 +15,14 @@ from birdcage.base.errors import BirdcageError
 from birdcage.pursuit.autotrack import Autotrack
 from birdcage.pursuit.chosen_target import ChosenTarget
 from birdcage.pursuit.circumstances import Circumstances
-from birdcage.pursuit.desk_setup import DeskSetup
+from birdcage.pursuit.desk_setup import DeskSetup, observer_of
+from birdcage.pursuit.face_search import FaceSearches
 from birdcage.pursuit.follower import Follower, Post, options_of, reach_end
-from birdcage.pursuit.now import NO_PLACE, DeskNow, Mode, Resumable, TargetMatch
+from birdcage.pursuit.now import NO_PLACE, DeskNow, Mode, Resumable
 from birdcage.pursuit.pass_listener import LivePass
 from birdcage.pursuit.pass_services import PassServices
 from birdcage.pursuit.plan_keeper import PlanKeeper
-from birdcage.pursuit.pointer import BelowWords, Pointer
+from birdcage.pursuit.pointer import BelowWords
 from birdcage.pursuit.resume_file import ResumeFile
 from birdcage.pursuit.resume_store import ResumeStore
 from birdcage.pursuit.stopped import StoppedPursuit
@@ -62,26 +63,14 @@ class DeskWork:
         self._stopped = StoppedPursuit()
         self._by_autotrack = False
         """Whether autotrack has asked for what is followed, and not a person."""
-        self._query = ""
-        self._found: tuple[TargetMatch, ...] = ()
-        self._found_note = ""
-        self._pointer, self._below = Pointer(self._plans.finder), BelowWords()
+        self.faces = FaceSearches(self._plans, clock, self.look_again)
+        """What each face searches for itself."""
+        self._below = BelowWords()
         self._mode, self._problem = Mode.WATCH, ""
         self._file_at = self._tell_at = -math.inf
         self._changed = True
 
     # --- orders: `PursuitOrders` says what they are for
-
-    def search(self, text: str) -> None:
-        """Look for targets."""
-        self._query, self._changed = text, True
-        self._plans.finder.refresh()
-        self._found, self._found_note = self._plans.finder.search(text, self._clock.utc(), self._plans.observer)
-
-    def locate(self, text: str) -> None:
-        """Say where a target stands from now on; empty: no longer."""
-        self._pointer.ask(text)
-        self._changed = True
 
     def choose(self, text: str, target: Target | None = None) -> bool:
         """Choose a target; return whether there is one."""
@@ -203,6 +192,12 @@ class DeskWork:
         self._plans.apply(settings, observer)
         self._changed = True
 
+    def read_settings(self) -> None:
+        """Use what the settings say now."""
+        if self._setup.load is not None:
+            settings = self._setup.load()
+            self.apply(settings, observer_of(settings))
+
     def look_again(self) -> None:
         """Show anew: something has changed."""
         self._changed = True
@@ -218,8 +213,7 @@ class DeskWork:
         if monotonic >= self._file_at:
             self._file_at = monotonic + LOOK_AT_FILE_S
             if self._plans.read_catalogue():
-                self._found, self._found_note = self._plans.finder.search(self._query, now, self._plans.observer)
-                self._pointer.forget()
+                self.faces.look_again(now)
                 self._changed = True
         self._notice(now, monotonic)
         at = self._plans.circumstances()
@@ -231,22 +225,23 @@ class DeskWork:
             self._plans.hand_on()
             self._plans.refine(at)
         rest_s = (
-            LOOK_S if self._plans.all or self._pointer.text or self._auto.on or self._unfinished.may_resume else REST_S
+            LOOK_S
+            if self._plans.all or self.faces.locate_something or self._auto.on or self._unfinished.may_resume
+            else REST_S
         )
         return min(rest_s, max(self.services.step() - monotonic, 0.0))
 
     def told(self) -> DeskNow | None:
         """Return what there is to be shown; None while that is the same."""
         monotonic = self._clock.monotonic()
-        told_each_second = self._plans.choice is not None or self._pointer.text
+        told_each_second = self._plans.choice is not None or self.faces.locate_something
         if not (self._changed or (told_each_second and monotonic >= self._tell_at)):
             return None
         self._changed, self._tell_at = False, monotonic + LOOK_S
         choice, at = self._plans.choice, self._plans.circumstances()
         now = self._clock.utc()
         shown = DeskNow(
-            now, self._query, self._found, self._found_note, mode=self._mode, autotrack=self._auto.on,
-            located=self._pointer.look(self._plans.observer, now, self._plans.settings.tracking.refraction),
+            now, mode=self._mode, autotrack=self._auto.on,
             schedule=self._auto.timetable.rows, unfinished=self._unfinished.unfinished,
             resumable=self._resumable(),
             radio=self._radio(),

@@ -150,3 +150,5 @@ class DeskNow:
     """What a person should know of the choice: silent, below the horizon. It can be followed all the same."""
     problem: str = ""
     """A sentence on what is missing, and what to do: `No place is set: birdcage place set ...`."""
+    is_away: bool = False
+    """Whether there is no desk to ask now: it would be another program's. Then `problem` says why."""

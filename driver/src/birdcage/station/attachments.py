@@ -21,9 +21,9 @@ class Attachments:
     The motion of a program that is gone goes on to its end, and so do its tasks; then its control is given back.
     """
 
-    def __init__(self, station: Station, program: str = "birdcage", on_wire: OnWire | None = None) -> None:
+    def __init__(self, station: Station, program: str, on_wire: OnWire | None, services: Services) -> None:
         self._station = station
-        self.services, self.plan_lines = Services(), PlanLines()
+        self.services, self.plan_lines = services, PlanLines()
         """What attached programs can join, and the plans that they are told."""
         self.program, self.on_wire = program, on_wire
         """How the station's program is called by those that are attached, and how its wire is heard."""

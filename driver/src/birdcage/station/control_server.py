@@ -40,30 +40,27 @@ class ControlServer:
     """Called by other processes of the same user. Never announced for a simulated dish inside this process."""
 
     def __init__(
-        self, station: Station, folder: Path, program: str = "birdcage", on_wire: OnWire | None = None
-    ) -> None:
+        self, station: Station, folder: Path, program: str = "birdcage", on_wire: OnWire | None = None,
+        services: Services | None = None,
+    ) -> None:  # fmt: skip
         """Listen for `station`; `folder` is where owners leave their files. OSError when that cannot be done.
 
         `program` is how this one is called by those that are attached; `on_wire` lets them hear the wire
-        (`Session.on_wire`).
+        (`Session.on_wire`). `services` are what they can join beside the station's own requests.
         """
         self._station, self._folder = station, folder
         self._token = secrets.token_hex(16)
         self._file: Path | None = None
         self._lock = threading.Lock()
         self._callers: list[ControlCaller] = []
-        self._watches, self._attachments = OutsideWatches(), Attachments(station, program, on_wire)
+        self._watches = OutsideWatches()
+        self._attachments = Attachments(station, program, on_wire, services or Services())
         self._wake = Wake()
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._listener.setblocking(False)
         self._thread = threading.Thread(target=self._listen, name="control server", daemon=True)
         self._thread.start()
         self._unsubscribe = station.subscribe(self._hear, LinkChanged)
-
-    @property
-    def services(self) -> Services:
-        """What attached programs can join beside the station's own requests."""
-        return self._attachments.services
 
     def close(self) -> None:
         """Stop listening, take the file away, and let callers have their answer."""

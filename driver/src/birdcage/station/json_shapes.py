@@ -56,8 +56,6 @@ from birdcage.station.plan_outline import PlanOutline, outline
 
 _WHOLE_KEY = re.compile(r"-?\d{1,15}", re.ASCII)
 _VALUE = frozenset(get_args(Value))
-NAMES = {"Plan": PlanOutline, "SkyMapping": MappingOutline}
-"""What names of types mean here: what stands for a plan, and for a mapping, in another program."""
 IMPORTED = {
     "Refraction": "tracking.planning.refraction", "Skew": "sky.skew", "Downlink": "sky.downlinks",
     "ElementError": "sky.element_error", "Day": "tracking.day", "PointingError": "tracking.pointing_error",
@@ -67,6 +65,8 @@ IMPORTED = {
 """Where types are that modules import for their annotations alone, as they need much of sky or numpy."""
 AnyJson = NewType("AnyJson", object)
 """What whoever takes it reads for itself."""
+NAMES = {"Plan": PlanOutline, "SkyMapping": MappingOutline, "Target": AnyJson}
+"""What names of types mean here: what stands for a plan, a mapping and a target in another program."""
 
 
 @cache

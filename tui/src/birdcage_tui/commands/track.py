@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command, Reason
-from birdcage_tui.shown.allowed import CommandContext, can_release, can_step, desk_awaited
+from birdcage_tui.shown.allowed import DESK_AWAITED, CommandContext, can_release, can_step
 from birdcage_tui.shown.pursuit import pursuit_of
 
 PAGE, HERE = "control", ("craft",)
@@ -12,12 +12,14 @@ TABS = ("control", "craft", "network")
 
 def can_search(context: CommandContext) -> str | None:
     """Return why no target can be searched for."""
-    return desk_awaited(context.via) if context.track is None else None
+    if context.track is None:
+        return DESK_AWAITED
+    return context.track.problem if context.track.is_away else None
 
 
 def can_watch(context: CommandContext) -> str | None:
     """Return why there is no target to do something with."""
-    if context.track is None:
+    if context.track is None or context.track.is_away:
         return can_search(context)
     return "No target selected. / searches." if context.track.choice is None else None
 

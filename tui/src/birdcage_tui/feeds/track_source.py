@@ -13,10 +13,13 @@ from birdcage_tui.shown.options import SitePlace
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
+    from birdcage.pursuit.attached_desk import AttachedDesk
     from birdcage.pursuit.desk import PursuitDesk
     from birdcage.pursuit.orders import Order
     from birdcage.sky.horizon import HorizonMask
     from birdcage.sky.observer import Observer
+    from birdcage.station.attached import AttachedStation
+    from birdcage.station.services import Services
     from birdcage.station.session import Session
 
     from birdcage_tui.feeds.signal_source import SessionSignals
@@ -24,11 +27,13 @@ if TYPE_CHECKING:
 
 
 def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
-               signals: SessionSignals | None = None, threads: bool = True) -> MakeTrack:  # fmt: skip
+               signals: SessionSignals | None = None, services: Services | None = None, threads: bool = True
+               ) -> MakeTrack:  # fmt: skip
     """Return what opens the desk of a session, once the app wants it.
 
     `load` reads the settings again when the place has changed. `signals` has the receiver that the desk tunes; without
-    it the desk has one of its own. `threads=False`: a test calls its `step`.
+    it the desk has one of its own. Programs that are attached reach it by `services`. `threads=False`: a test calls
+    its `step`.
     """
 
     def make(show: ShowTrack) -> DeskSource:
@@ -41,12 +46,22 @@ def make_track(session: Session, settings: Settings, load: Callable[[], Settings
                 # Else it might read the catalogue before that is filled, and look at it again seconds later only.
                 lay_demo_sky(paths.catalogue, session.clock.utc(), observer)
             receiver = None if signals is None else signals.receiver
-            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver)
-            return PursuitDesk(session.station, session.clock, setup, show, threads=threads)
+            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver, load=load)
+            desk = PursuitDesk(session.station, session.clock, setup, show, threads=threads)
+            if services is not None:
+                from birdcage.pursuit.desk_service import PURSUIT, DeskService
+
+                services.offer(PURSUIT, DeskService(desk))
+            return desk
 
         return DeskSource(open_desk, load, threads=threads)
 
     return make
+
+
+def follow_there(station: AttachedStation) -> MakeTrack:
+    """Return what has the desk of the program that a station is attached to."""
+    return lambda show: AttachedTrack(station, show)
 
 
 def observer_of(settings: Settings, place: SitePlace | None = None) -> Observer | None:
@@ -61,6 +76,76 @@ def observer_of(settings: Settings, place: SitePlace | None = None) -> Observer 
     return Observer(own.latitude_deg, own.longitude_deg, own.height_m, name=own.name or "")
 
 
+class _Surroundings:
+    """Where the dish stands, the horizon there, and its feed: as they were taken last."""
+
+    def __init__(self) -> None:
+        self._place: SitePlace | None = None
+        self._horizon: HorizonMask | None = None
+        self._feed = ""
+
+    def differ(self, place: SitePlace | None, horizon: HorizonMask | None, feed: str) -> bool:
+        """Take them, and return whether one differs from what was known of it."""
+        before, self._place = self._place, place
+        mask, self._horizon = self._horizon, horizon
+        fed, self._feed = self._feed, feed
+        elsewhere = before is not None and place is not None and place != before
+        masked = mask is not None and horizon is not None and horizon != mask
+        return elsewhere or masked or bool(fed and feed != fed)
+
+
+class AttachedTrack(TrackSource):
+    """Hands every order to the desk of another program. Orders that come before it is heard wait for it."""
+
+    def __init__(self, station: AttachedStation, show: ShowTrack) -> None:
+        self._station, self._show = station, show
+        self._lock = threading.Lock()
+        self._waiting: list[Order] = []
+        self._closed = False
+        self._surroundings = _Surroundings()
+        self._desk: AttachedDesk | None = None
+
+    def start(self) -> None:
+        """Hear the desk."""
+        threading.Thread(target=self._begin, name="pursuit-opens", daemon=True).start()
+
+    def _begin(self) -> None:
+        from birdcage.pursuit.attached_desk import AttachedDesk
+
+        desk = AttachedDesk(self._station, self._show)
+        desk.start()
+        with self._lock:
+            self._desk = desk
+            if self._closed:
+                desk.close()
+            for order in self._waiting:
+                desk.ask(order)
+            self._waiting.clear()
+
+    def ask(self, order: Order) -> None:
+        """Hand an order on, or keep it until the desk is heard."""
+        with self._lock:
+            if self._desk is None:
+                self._waiting.append(order)
+            else:
+                self._desk.ask(order)
+
+    def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
+        """Have the settings read again over there where this app has changed them."""
+        if self._surroundings.differ(place, horizon, feed):
+            self.read_settings()
+
+    def close(self) -> None:
+        """Hear no more. What was ordered goes on."""
+        with self._lock:
+            self._closed = True
+            if self._desk is not None:
+                self._desk.close()
+
+    def wait(self, timeout_s: float) -> None:
+        """Wait for nothing: the other program remembers."""
+
+
 class DeskSource(TrackSource):
     """Hands every order to the desk; those that come before it is open wait for it, in their order."""
 
@@ -69,9 +154,7 @@ class DeskSource(TrackSource):
         self._lock = threading.Lock()
         self._waiting: list[Order] = []
         self._closed = False
-        self._place: SitePlace | None = None
-        self._horizon: HorizonMask | None = None
-        self._feed = ""
+        self._surroundings = _Surroundings()
         self.desk: PursuitDesk | None = None
 
     def start(self) -> None:
@@ -110,12 +193,7 @@ class DeskSource(TrackSource):
 
     def keep(self, place: SitePlace | None, horizon: HorizonMask | None = None, feed: str = "") -> None:
         """Take where the dish stands, the horizon there (None: the settings'), and the name of its feed."""
-        before, self._place = self._place, place
-        mask, self._horizon = self._horizon, horizon
-        fed, self._feed = self._feed, feed
-        elsewhere = before is not None and place is not None and place != before
-        masked = mask is not None and horizon is not None and horizon != mask
-        if elsewhere or masked or (fed and feed != fed):
+        if self._surroundings.differ(place, horizon, feed):
             settings = self._load()
             observer = observer_of(settings, place)
             self.apply(settings, observer)

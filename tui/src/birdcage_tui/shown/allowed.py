@@ -61,11 +61,8 @@ class CommandContext(Protocol):
         """The line of trees and roofs, as it counts now."""
 
 
-def desk_awaited(via: str) -> str:
-    """Return why no target can be followed while the pursuit desk has told nothing; `via` is who drives the dish."""
-    if not via:
-        return "The tracker is still loading."
-    return f"No tracker here: {via} drives the dish. To follow targets, end it and start this app again."
+DESK_AWAITED = "The tracker is still loading."
+"""Why no target can be followed while the pursuit desk has told nothing."""
 
 
 def can_move(context: CommandContext, *, though_held: bool = False) -> str | None:

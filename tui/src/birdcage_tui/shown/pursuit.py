@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from birdcage.station.events import End, MoveEnded
 from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit
 
-from birdcage_tui.shown.allowed import desk_awaited
 from birdcage_tui.shown.view import STALE_S, View
 
 if TYPE_CHECKING:
@@ -103,9 +102,8 @@ def says_nothing_new(event: MoveEnded, state: StationState) -> bool:
     return event.end is End.SUPERSEDED or (event.end is End.ARRIVED and steered)
 
 
-def loading_words(view: View) -> str:
-    """Return why the pursuit desk shows nothing yet."""
-    return desk_awaited(view.via) if view.via else "Loading tracker …"
+LOADING = "Loading tracker …"
+"""Why the pursuit desk shows nothing yet."""
 
 
 def told_before_following(view: View) -> bool:

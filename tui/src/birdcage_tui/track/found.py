@@ -11,7 +11,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, fit, wrap
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pass_words import count_text, reach_text
-from birdcage_tui.shown.pursuit import loading_words
+from birdcage_tui.shown.pursuit import LOADING
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -44,7 +44,7 @@ class FoundTarget:
 def candidates(view: View) -> list[FoundTarget]:
     """Return the rows: what the desk has found; with nothing typed, what is up besides, the highest first."""
     desk = view.track
-    if desk is None:
+    if desk is None or desk.is_away:
         return []
     rows = [FoundTarget(one.text, one.name, one.detail or one.kind, one.favourite, one.silent) for one in desk.found]
     if desk.query.strip() or view.sky is None:
@@ -74,6 +74,18 @@ def next_passes(view: View, wanted: set[str], *, brief: bool = False) -> dict[st
             told = f"{event[1]:<6}{count:>7} {row.max_el_deg:>4.0f}°{reach_text(row):>8}"
             found[text] = f"{event[1]:<5}{count:>6}{row.max_el_deg:>4.0f}°" if brief else told
     return found
+
+
+def _nothing(view: View) -> str:
+    """Return why there is no row."""
+    desk = view.track
+    if desk is None:
+        return LOADING
+    if desk.is_away:
+        return desk.problem
+    if desk.query.strip():
+        return desk.found_note or EMPTY
+    return "No favourites, and nothing is up. / searches. On page 7, * marks favourites."
 
 
 class FoundList(Pane):
@@ -114,9 +126,7 @@ class FoundList(Pane):
         """Write the rows around the cursor."""
         rows = candidates(view)
         if not rows:
-            note = "" if view.track is None else view.track.found_note or EMPTY
-            words = loading_words(view) if view.track is None else note if view.track.query.strip() else \
-                "No favourites, and nothing is up. / searches. On page 7, * marks favourites."  # fmt: skip
+            words = _nothing(view)
             for y, line in enumerate(wrap(words, max(cells.width - 2, 10))):
                 cells.put(1, y, line, "dim")
             return

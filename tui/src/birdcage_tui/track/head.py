@@ -8,7 +8,7 @@ from birdcage_tui.commands import BY_NAME
 from birdcage_tui.commands.mending import motion_mend, release_mend, then_words
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, fit, wrap
-from birdcage_tui.shown.pursuit import loading_words, plan_of, pursuit_of, shown_is_followed
+from birdcage_tui.shown.pursuit import LOADING, plan_of, pursuit_of, shown_is_followed
 from birdcage_tui.shown.track_words import expected_words, offset_words, pass_words, reach_words
 from birdcage_tui.shown.unready import NO_LOCATION
 from birdcage_tui.shown.view import View
@@ -54,8 +54,9 @@ class TrackHead(Pane):
         chosen = None if view.track is None else view.track.choice
         if view.settings.place is None:
             cells.put(1, 0, NO_LOCATION, "warn")
-        elif view.track is None:
-            for y, row in enumerate(wrap(loading_words(view), max(cells.width - 2, 10), most=2)):
+        elif view.track is None or view.track.is_away:
+            why = LOADING if view.track is None else view.track.problem
+            for y, row in enumerate(wrap(why, max(cells.width - 2, 10), most=2)):
                 cells.put(1, y, row, "dim")
         elif chosen is not None:
             cells.put(1, 0, f"{chosen}: computing the pass …", "text")

@@ -193,6 +193,7 @@ def _print_unit(wants: Wanted, kind: str, given: Mapping[str, Sequence[object]])
 def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorder: SessionRecorder | None) -> None:
     from birdcage.cli.dish import DishSession
     from birdcage.cli.say import say, tell_json
+    from birdcage.cli.station_desk import serve_desk
     from birdcage.cli.station_run import run_station
     from birdcage.rotctld.listening import wide_warning
     from birdcage.rotctld.options import options_from
@@ -220,11 +221,12 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
         if service.crash is not None:
             raise service.crash
 
-    service.start()
-    try:
+    with ExitStack() as stack:
+        if isinstance(dish, DishSession):
+            stack.enter_context(serve_desk(dish, wants))
+        service.start()
+        stack.callback(service.shutdown)
         run_station(dish, as_json=as_json, each_time=check)
-    finally:
-        service.shutdown()
 
 
 def _tell(news: ClientNews, as_json: StationCommand | None) -> None:

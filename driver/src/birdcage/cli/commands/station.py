@@ -26,6 +26,7 @@ def run(skip_init: bool, print_systemd: bool) -> None:
     """
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say, tell
+    from birdcage.cli.station_desk import serve_desk
     from birdcage.cli.station_run import run_station
     from birdcage.cli.systemd_unit import station_unit
 
@@ -33,6 +34,6 @@ def run(skip_init: bool, print_systemd: bool) -> None:
     if print_systemd:
         tell(station_unit(wants, skip_init=skip_init))
         return
-    with open_dish(wants, moves=True, survey=not skip_init) as dish:
+    with open_dish(wants, moves=True, survey=not skip_init) as dish, serve_desk(dish, wants):
         say(f"Driving the dish at {wants.port}. Other birdcage programs reach it through this one. Ctrl+C ends it.")
         run_station(dish, as_json=bool(flags().json))
