@@ -203,7 +203,7 @@ def test_what_an_app_follows_goes_on_when_it_is_killed_and_the_next_app_shows_it
     dish.wait_for(lambda truth: truth.moving and abs(shortest_turn(az_deg, truth.az_deg)) > 30.0)
     later = PtyTerminal("birdcage-tui", columns=120, rows=36)
     house.apps.append(later)
-    later.wait_for(b"GOING TO MEET 19.2")
+    later.wait_for(b"GO TO AOS")
     after = len(later.output)
     later.press(b" ")
     later.wait_for(b"HELD", after)
