@@ -21,6 +21,7 @@ from birdcage.station.session import farewell
 from birdcage.station.state import LinkPhase
 
 if TYPE_CHECKING:
+    from birdcage.base.clock import Clock
     from birdcage.cli.options import Wanted
 
 ATTACH_S = 10.0
@@ -81,17 +82,21 @@ class AttachedCommand(StationCommand):
 
 
 @contextmanager
-def reach_dish(wanted: Wanted, holder: str, *, moves: bool = False, survey: bool = True) -> Iterator[StationCommand]:
+def reach_dish(
+    wanted: Wanted, holder: str, *, moves: bool = False, survey: bool = True, clock: Clock | None = None,
+    attached: type[AttachedCommand] = AttachedCommand,
+) -> Iterator[StationCommand]:  # fmt: skip
     """Reach the dish as `open_dish` does; over the birdcage program that has its port, where one has and answers.
 
     `holder` is how this command calls itself in its requests. The other program knows it by user and terminal, too.
+    `attached` is what it is to be there.
     """
     station = attach_to_owner(wanted, holder)
     if station is None:
-        with open_dish(wanted, moves=moves, survey=survey) as own:
+        with open_dish(wanted, moves=moves, survey=survey, clock=clock) as own:
             yield own
         return
-    dish = AttachedCommand(station, holder, moves=moves)
+    dish = attached(station, holder, moves=moves)
     with ExitStack() as stack:
         stack.callback(station.close)
         signals = take_signals(stack, dish)

@@ -5,9 +5,12 @@ from __future__ import annotations
 from datetime import datetime
 from typing import TYPE_CHECKING
 
-from birdcage.base.errors import Held
+from birdcage.base.errors import BirdcageError, Held
 from birdcage.base.reason import Reason
 from birdcage.cli.autotrack_report import tell_schedule, values_of_schedule
+from birdcage.cli.desk_elsewhere import DeskElsewhere
+from birdcage.cli.dish import DishSession, need_position
+from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.say import say, tell_json
 from birdcage.cli.track_shown import PursuitShown
 from birdcage.pursuit.desk import PursuitDesk
@@ -16,8 +19,9 @@ from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit_state import Phase
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
+    from birdcage.cli.station_command import StationCommand
+    from birdcage.pursuit.attached_desk import AttachedDesk
     from birdcage.pursuit.now import Scheduled
     from birdcage.sky.observer import Observer
     from birdcage.station.pursuit_state import Pursuit
@@ -29,14 +33,35 @@ _BETWEEN = frozenset({Phase.WAITING, Phase.COUNTDOWN, Phase.OVER})
 
 
 def run_autotrack(
-    dish: DishSession, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool
+    dish: StationCommand, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool
 ) -> None:
     """Follow until that time; the pass under way then is followed to its end. Without a time until a signal ends it.
 
     PositionUnknown when the dish does not know where it is; Held when somebody calls STOP.
     """
-    from birdcage.cli.dish import need_position
+    if isinstance(dish, DeskElsewhere):
+        _run_there(dish, wants, until, as_json=as_json)
+    elif isinstance(dish, DishSession):
+        _run_here(dish, wants, observer, until, as_json=as_json)
 
+
+def _run_there(dish: DeskElsewhere, wants: Wanted, until: datetime | None, *, as_json: bool) -> None:
+    dish.come_up(15.0)
+    need_position(dish)
+    dish.meet_desk()
+    dish.desk.set_autotrack(True)
+    say(f"{dish.station.via} follows them. Ctrl+C stops the dish; if this command ends otherwise, that goes on.")
+    try:
+        _Watch(dish, dish.desk, dish.holder, wants.settings.autotrack.hours, until, as_json=as_json).run()
+    except (BirdcageError, EndedBySignal):
+        if not dish.leave_moving:
+            dish.desk.set_autotrack(False)
+        raise
+
+
+def _run_here(
+    dish: DishSession, wants: Wanted, observer: Observer, until: datetime | None, *, as_json: bool
+) -> None:  # fmt: skip
     dish.come_up(15.0)
     dish.survey()
     need_position(dish)
@@ -48,7 +73,7 @@ def run_autotrack(
     desk.start()
     try:
         desk.set_autotrack(True)
-        _Watch(dish, desk, wants.settings.autotrack.hours, until, as_json=as_json).run()
+        _Watch(dish, desk, HOLDER, wants.settings.autotrack.hours, until, as_json=as_json).run()
     finally:
         desk.close()
 
@@ -57,9 +82,11 @@ class _Watch:
     """Watches autotrack at work."""
 
     def __init__(
-        self, dish: DishSession, desk: PursuitDesk, hours: float, until: datetime | None, *, as_json: bool
+        self, dish: StationCommand, desk: PursuitDesk | AttachedDesk, holder: str, hours: float,
+        until: datetime | None, *, as_json: bool,
     ) -> None:  # fmt: skip
-        self._dish, self._desk, self._hours, self._until, self._as_json = dish, desk, hours, until, as_json
+        self._dish, self._desk, self._holder = dish, desk, holder
+        self._hours, self._until, self._as_json = hours, until, as_json
         self._shown = PursuitShown(dish.progress, as_json=as_json)
         self._pursuit: Pursuit | None = None
         self._problem = ""
@@ -79,12 +106,14 @@ class _Watch:
         self._dish.look(self._hear)
         if self._desk.crash is not None:
             raise self._desk.crash
+        if isinstance(self._dish, DeskElsewhere):
+            self._dish.check_desk()
         held = self._dish.state.held
         if held is not None and held.earlier:
             raise Held(f"{held.sentence} Nothing is followed: `birdcage release` lets it move again.")
         if held is not None:
             raise Held(f"{held.sentence} Nothing is followed any more.", reason=Reason.STOPPED)
-        now, utc = self._desk.now, self._dish.session.clock.utc()
+        now, utc = self._desk.now, self._dish.station.clock.utc()
         if now.problem != self._problem:
             self._problem = now.problem
             if now.problem:
@@ -111,12 +140,12 @@ class _Watch:
 
     def _is_enough(self) -> bool:
         """Return whether the time is over, and the dish not on a pass."""
-        if self._until is None or self._dish.session.clock.utc() < self._until:
+        if self._until is None or self._dish.station.clock.utc() < self._until:
             return False
         return self._pursuit is None or self._pursuit.phase in _BETWEEN
 
     def _hear(self, event: Event) -> None:
-        if isinstance(event, PursuitChanged) and event.pursuit.holder == HOLDER:
+        if isinstance(event, PursuitChanged) and event.pursuit.holder == self._holder:
             before, self._pursuit = self._pursuit, event.pursuit
             if before is None or before.number != event.pursuit.number:
                 self._dish.progress.clear()

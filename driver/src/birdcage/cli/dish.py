@@ -94,7 +94,7 @@ def why_unknown(state: StationState) -> str:
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
 
 
-def need_position(dish: DishSession) -> None:
+def need_position(dish: StationCommand) -> None:
     """Wait until it is known where the dish points, to follow something. PositionUnknown, and why, where it is not.
 
     MotionRefused of a machine that follows nothing.

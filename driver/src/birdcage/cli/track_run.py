@@ -8,6 +8,9 @@ from typing import TYPE_CHECKING, Literal
 
 from birdcage.base.errors import BirdcageError, MotionRefused
 from birdcage.base.reason import Reason
+from birdcage.cli.desk_elsewhere import DeskElsewhere
+from birdcage.cli.dish import DishSession, need_position
+from birdcage.cli.say import say
 from birdcage.cli.track_shown import PursuitShown
 from birdcage.pursuit.desk import PursuitDesk
 from birdcage.pursuit.desk_setup import DeskSetup
@@ -17,8 +20,9 @@ from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit_state import Phase
 
 if TYPE_CHECKING:
-    from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
+    from birdcage.cli.station_command import StationCommand
+    from birdcage.pursuit.attached_desk import AttachedDesk
     from birdcage.pursuit.desk_setup import ControllerName
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
@@ -47,10 +51,35 @@ class TrackOrder:
     as_json: bool = False
 
 
-def follow(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
+def follow(dish: StationCommand, wants: Wanted, order: TrackOrder) -> None:
     """Follow until it is over. PositionUnknown, MotionRefused or BirdcageError when it does not come to its end."""
-    from birdcage.cli.dish import need_position
+    if isinstance(dish, DeskElsewhere):
+        _follow_there(dish, order)
+    elif isinstance(dish, DishSession):
+        _follow_here(dish, wants, order)
 
+
+def _follow_there(dish: DeskElsewhere, order: TrackOrder) -> None:
+    dish.come_up(15.0)
+    need_position(dish)
+    dish.meet_desk()
+    dish.desk.choose(order.text, order.target)
+    dish.await_desk(lambda: dish.desk.now.choice == order.text)
+    _give(dish.desk, order)
+    say(f"{dish.station.via} follows it. Ctrl+C stops the dish; if this command ends otherwise, that goes on.")
+    _Watch(dish, dish.desk, order, dish.holder).run()
+
+
+def _give(desk: PursuitDesk | AttachedDesk, order: TrackOrder) -> None:
+    """Order what comes after the choice."""
+    if order.time_offset_s is not None:
+        desk.set_time_offset(order.time_offset_s)
+    if order.freq_hz is not None:
+        desk.set_frequency(order.freq_hz)
+    desk.follow()
+
+
+def _follow_here(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     dish.come_up(15.0)
     dish.survey()
     need_position(dish)
@@ -61,13 +90,9 @@ def follow(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
     try:
         desk.choose(order.text, order.target)
-        if order.time_offset_s is not None:
-            desk.set_time_offset(order.time_offset_s)
-        if order.freq_hz is not None:
-            desk.set_frequency(order.freq_hz)
-        desk.follow()
+        _give(desk, order)
         desk.start()  # so that the first thing it tells is what came of all of that
-        _Watch(dish, desk, order).run()
+        _Watch(dish, desk, order, HOLDER).run()
     finally:
         desk.close()
 
@@ -75,8 +100,12 @@ def follow(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
 class _Watch:
     """Watches one pursuit from its beginning to its end."""
 
-    def __init__(self, dish: DishSession, desk: PursuitDesk, order: TrackOrder) -> None:
-        self._dish, self._desk, self._order = dish, desk, order
+    def __init__(
+        self, dish: StationCommand, desk: PursuitDesk | AttachedDesk, order: TrackOrder, holder: str
+    ) -> None:  # fmt: skip
+        self._dish, self._desk, self._order, self._holder = dish, desk, order, holder
+        before = dish.state.pursuit
+        self._before = 0 if before is None else before.number
         self._shown = PursuitShown(dish.progress, as_json=order.as_json)
         self._pursuit: Pursuit | None = None
         self._left = False
@@ -90,13 +119,13 @@ class _Watch:
             self._dish.look(self._hear)
             self._look_at_desk()
             if self._pursuit is not None and self._pursuit.phase is not Phase.FOLLOWING:
-                self._shown.waiting(self._pursuit, self._dish.session.clock.utc())
+                self._shown.waiting(self._pursuit, self._dish.station.clock.utc())
             if not self._left and self._is_enough():
                 self._left, deadline = True, self._dish.now + END_S
                 self._desk.leave()
             if self._dish.now >= deadline:
                 raise BirdcageError(f"The pursuit did not end within {END_S:.0f} s.", reason=Reason.TIMEOUT)
-        clock = self._dish.session.clock
+        clock = self._dish.station.clock
         now = clock.utc()
         self._shown.end(self._pursuit, now)
         end = reach_end(self._pursuit.plan)
@@ -116,6 +145,8 @@ class _Watch:
     def _look_at_desk(self) -> None:
         if self._desk.crash is not None:
             raise self._desk.crash
+        if isinstance(self._dish, DeskElsewhere):
+            self._dish.check_desk()
         now = self._desk.now
         if self._pursuit is None and now.problem and now.mode is not Mode.FOLLOW:
             raise MotionRefused(now.problem, reason=Reason.LIMIT)
@@ -125,10 +156,13 @@ class _Watch:
         if pursuit is None or until == "los":
             return False
         end = told_reach_end(pursuit.plan) if until == "reach" else until
-        return isinstance(end, datetime) and self._dish.session.clock.utc() >= end
+        return isinstance(end, datetime) and self._dish.station.clock.utc() >= end
+
+    def _is_ours(self, pursuit: Pursuit) -> bool:
+        return pursuit.holder == self._holder and pursuit.number > self._before
 
     def _hear(self, event: Event) -> None:
-        if isinstance(event, PursuitChanged) and event.pursuit.holder == HOLDER:
+        if isinstance(event, PursuitChanged) and self._is_ours(event.pursuit):
             self._pursuit = event.pursuit
             self._shown.plan(event.pursuit, event.utc)
             self._shown.phase(event.pursuit, event.utc)

@@ -37,6 +37,8 @@ class AttachedDesk(PursuitOrders):
         """What this face types."""
         self._missing = True
         """Whether the service was not there when it was last heard of."""
+        self.is_heard = False
+        """Whether it was told yet what the desk shows, or that there is none."""
         self._closed = False
         self._refused = ""
         """Why the last order was not taken; empty if it was."""
@@ -105,6 +107,6 @@ class AttachedDesk(PursuitOrders):
         return None if isinstance(whole, PlanOutline) else whole
 
     def _show(self, now: DeskNow) -> None:
-        self._now = now
+        self._now, self.is_heard = now, True
         if not self._closed:
             self._tell(now)

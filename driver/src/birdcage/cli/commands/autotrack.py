@@ -43,7 +43,8 @@ def command(
     reach wins. A pass is cut short only for one of higher priority. `[autotrack]` in birdcage.toml sets the least
     elevation and duration. Times and elevations listed are without refraction; following adds it. With --elements every
     satellite of the file counts as a favourite.
-    Nothing moves without --engage. With it the dish must be homed, and Ctrl+C stops it.
+    Nothing moves without --engage. With it the dish must be homed, and Ctrl+C stops it. If another birdcage program has
+    the port, that one follows, from its own place; if this command ends without Ctrl+C, that goes on.
     """
     from dataclasses import replace
     from datetime import UTC, datetime, timedelta
@@ -62,7 +63,7 @@ def command(
         raise click.UsageError("--until and --speed go with --engage.")
     wants = wanted()
     if engage:
-        _engage(wants, find_observer(wants.settings, lat, lon, alt), until, speed)
+        _engage(wants, find_observer(wants.settings, lat, lon, alt), until, speed, elsewhere=lat is not None)
         return
     observer = find_observer(wants.settings, lat, lon, alt)
     watched = _favourites(find_elements(wants.paths, elements, say), from_file=elements is not None)
@@ -86,17 +87,23 @@ def command(
         say(f"{never} more {'pass' if never == 1 else 'passes'} of favourites never come within reach of this dish.")
 
 
-def _engage(wants: Wanted, observer: Observer, until: datetime | None, speed: float | None) -> None:
-    """Follow the favourites of the catalogue. ConfigError if there are none."""
+def _engage(
+    wants: Wanted, observer: Observer, until: datetime | None, speed: float | None, *, elsewhere: bool
+) -> None:  # fmt: skip
+    """Follow the favourites of the catalogue; `elsewhere`: the command line names a place. ConfigError without any."""
     from birdcage.base.clock import RealClock, ScaledClock
-    from birdcage.cli.autotrack_run import run_autotrack
-    from birdcage.cli.dish import open_dish
+    from birdcage.cli.attached_command import reach_dish
+    from birdcage.cli.autotrack_run import HOLDER, run_autotrack
+    from birdcage.cli.desk_elsewhere import DeskElsewhere
     from birdcage.sky.watch_source import read_catalogue
 
     if speed is not None and not wants.port.startswith("sim:"):
         raise click.UsageError(f"--speed is for a simulated dish only. Give --port sim:{DEMO_FIRMWARE} with it.")
     _favourites(read_catalogue(wants.paths.catalogue), from_file=False)
-    with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
+    clock = RealClock() if speed is None else ScaledClock(speed)
+    with reach_dish(wants, HOLDER, moves=True, clock=clock, attached=DeskElsewhere) as dish:
+        if isinstance(dish, DeskElsewhere) and elsewhere:
+            raise click.UsageError(f"{dish.station.via} follows from its own place. Leave out --lat, --lon and --alt.")
         run_autotrack(dish, wants, observer, until, as_json=flags().json)
 
 

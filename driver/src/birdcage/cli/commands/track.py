@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from birdcage.sky.targets import Target
     from birdcage.tracking.mount import Mount
 
+NOT_THERE = "--lat, --lon, --alt and --controller"
 CONTROLLERS = ("auto", "fast", "velocity", "queued", "modelled", "leapfrog")
 
 
@@ -77,7 +78,8 @@ def command(
     TARGET is named as for `birdcage where`: iss, AO-91, 25544, sun, polaris, 28.2E, dish 119, ra=5h34m,dec=+22d.
     Without --engage nothing is opened and nothing moves: the next pass that comes into reach is planned for the dish
     that --firmware names. Elevations of the plan include refraction as `tracking.refraction` sets it: radio, optical or
-    none. With --engage the dish must be homed, and Ctrl+C stops it.
+    none. With --engage the dish must be homed, and Ctrl+C stops it. If another birdcage program has the port, that one
+    follows, from its own place; if this command ends without Ctrl+C, that goes on.
     """
     from birdcage.cli.named_target import find_target
     from birdcage.cli.options import wanted
@@ -96,11 +98,15 @@ def command(
     text = " ".join(target)
     if engage:
         from birdcage.base.clock import RealClock, ScaledClock
-        from birdcage.cli.dish import open_dish
-        from birdcage.cli.track_run import TrackOrder, follow
+        from birdcage.cli.attached_command import reach_dish
+        from birdcage.cli.desk_elsewhere import DeskElsewhere
+        from birdcage.cli.track_run import HOLDER, TrackOrder, follow
 
         order = TrackOrder(text, meant, observer, controller, time_offset_s, freq_hz, until or "los", flags().json)
-        with open_dish(wants, moves=True, clock=RealClock() if speed is None else ScaledClock(speed)) as dish:
+        clock = RealClock() if speed is None else ScaledClock(speed)
+        with reach_dish(wants, HOLDER, moves=True, clock=clock, attached=DeskElsewhere) as dish:
+            if isinstance(dish, DeskElsewhere) and (lat is not None or controller):
+                raise click.UsageError(f"{dish.station.via} follows from its own place. Leave out {NOT_THERE}.")
             follow(dish, wants, order)
         return
     _show(text, meant, wants, observer, time_offset_s, freq_hz, plan_only=plan_only)
