@@ -8,6 +8,7 @@ from functools import partial
 import pytest
 from birdcage.sim.port import open_port
 from hypothesis import HealthCheck, Phase, given, seed, settings
+from night import by_night
 
 bench, scripted, nested = (sys.modules[f"console_{name}"] for name in ("bench", "scripted", "nested"))
 
@@ -140,10 +141,10 @@ def test_the_soak_is_of_a_hundred_thousand_exchanges():
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("part", range(PARTS))
+@pytest.mark.parametrize("part", by_night(range(PARTS), 2))
 @pytest.mark.parametrize("dish", DISHES)
 def test_no_q_reaches_a_root_in_a_hundred_thousand_exchanges(dish, part):
-    """A hundred thousand in all parts together; `SHARE` in this one. An exchange is a line that was sent."""
+    """A hundred thousand in all parts of a night together; `SHARE` in this one. An exchange is a line that was sent."""
     exchanges = 0
 
     @seed(part)
