@@ -162,6 +162,12 @@ def test_status_names_the_clients(serve, run, as_json, pty_dish):
         assert line.endswith("has control")
 
 
+def client_shown(owner):
+    """The only client as the program that has the port shows it; None as long as it shows none."""
+    network = owner.station.state.network
+    return network.clients[0] if network is not None and network.clients else None
+
+
 def test_where_another_program_has_the_port_clients_go_through_that(serve, pty_dish, owner):
     process, port = serve("--json")
     with socket.create_connection(("127.0.0.1", port), timeout=10) as client:
@@ -170,6 +176,10 @@ def test_where_another_program_has_the_port_clients_go_through_that(serve, pty_d
         assert client.recv(100) == b"RPRT 0\n"
         pty_dish.wait_for_motion()
         assert owner.station.state.holder is not None
+        pty_dish.wait_for(lambda _truth: (client := client_shown(owner)) and client.wants_az_deg == 200.0)
+        assert owner.station.state.network.port == port
+        assert owner.station.state.network.by.startswith("birdcage serve, ")
+        assert client_shown(owner).name == owner.station.state.holder
         process.send_signal(signal.SIGTERM)
         out, err = process.communicate(timeout=30)
     assert process.returncode == 128 + signal.SIGTERM
@@ -179,6 +189,7 @@ def test_where_another_program_has_the_port_clients_go_through_that(serve, pty_d
     assert abs(pty_dish.device.truth().az_deg - 200.0) > 5.0
     pty_dish.wait_for(lambda _truth: owner.station.state.holder is None)
     assert owner.station.state.held is None
+    pty_dish.wait_for(lambda _truth: owner.station.state.network is None)
 
 
 def test_it_serves_on_the_socket_that_systemd_passes_and_early_clients_wait(start, pty_dish):

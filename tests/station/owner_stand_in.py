@@ -51,6 +51,9 @@ class OwnerStandIn:
             future.set_result(answer)
         return future
 
+    def show_network(self, network) -> None:
+        self.board.change(network=network)
+
     def stop(self, by: str) -> None:
         self.thawed.wait(30)
         self.stops.append(by)

@@ -7,15 +7,18 @@ import random
 import socket
 import threading
 from concurrent.futures import Future, ThreadPoolExecutor
+from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 from birdcage.base.errors import BirdcageError, Held
 from birdcage.station import attached_caller
-from birdcage.station.attach_messages import Attach, asked_from_json, state_from_json
+from birdcage.station.attach_messages import Attach, ShowNetwork, asked_from_json, state_from_json
 from birdcage.station.control_client import call_owner
 from birdcage.station.control_messages import as_line
 from birdcage.station.event_stream import LONGEST_QUEUE
 from birdcage.station.json_form import event_from_json, to_json
+from birdcage.station.network_state import NetworkClient, NetworkLine, NetworkProgram, NetworkState
 from birdcage.station.requests import AcquireLease, Drive, Goto, Jog, Stop
 from birdcage.station.state import StationState
 from hypothesis import given, settings
@@ -150,8 +153,8 @@ def test_a_name_is_a_name(owner, name) -> None:
 
 
 @pytest.mark.parametrize("line", [
-    b"\n", b"hello\n", b"[]\n", b'{"v": 1}\n', b'{"v": 1, "id": -1}\n', b'{"v": 1, "id": true}\n', b"x" * 5000 + b"\n",
-    b"x" * 5000, b'{"v": 1, "id": 1e3}\n', b"\xff\xfe\n", b"[" * 4000 + b"\n",
+    b"\n", b"hello\n", b"[]\n", b'{"v": 1}\n', b'{"v": 1, "id": -1}\n', b'{"v": 1, "id": true}\n',
+    b"x" * 1_000_100 + b"\n", b"x" * 1_000_100, b'{"v": 1, "id": 1e3}\n', b"\xff\xfe\n", b"[" * 4000 + b"\n",
 ])  # fmt: skip
 def test_a_line_that_is_none_is_answered_and_ends_it(owner, attach, line) -> None:
     anna = attach()
@@ -266,3 +269,37 @@ def test_the_end_of_the_station_is_told_in_a_last_line(owner, attach) -> None:
     *_, event, last = anna.hear_all()
     assert event_from_json(event) == last_words
     assert (last["type"], last["why"]) == ("EventsEnded", "closing")
+
+
+SERVER = NetworkState("127.0.0.1", 4533, clients=(
+    NetworkClient(
+        1, "rotctld 1", NetworkProgram.GPREDICT, "127.0.0.1:5000", datetime(2026, 3, 20, tzinfo=UTC),
+        wants_az_deg=200.0, lines=(NetworkLine(datetime(2026, 3, 20, tzinfo=UTC), "p", "180.00 45.00"),) * 50,
+    ),
+))  # fmt: skip
+
+
+def test_the_clients_of_a_caller_are_shown_until_it_leaves(owner, attach) -> None:
+    anna = attach()
+    anna.ask(1, ShowNetwork(SERVER))
+    assert anna.until(id=1)["ok"] is True
+    assert owner.state.network == replace(SERVER, by=anna.welcome["result"]["name"])
+    anna.close()
+    until(lambda: owner.state.network is None)
+
+
+def test_no_caller_hides_the_server_of_another(owner, attach) -> None:
+    own = NetworkState("127.0.0.1", 4600)
+    owner.show_network(own)
+    anna, bert = attach("anna"), attach("bert")
+    for told in (SERVER, None):
+        anna.ask(1, ShowNetwork(told))
+        assert anna.until(id=1)["error"]["reason"] == "busy"
+    owner.show_network(None)
+    bert.ask(1, ShowNetwork(SERVER))
+    assert bert.until(id=1)["ok"] is True
+    owner.show_network(own)  # it shows its own, and then the caller goes
+    anna.close()
+    bert.close()
+    until(lambda: is_alone(owner))
+    assert owner.state.network == own

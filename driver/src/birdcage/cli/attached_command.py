@@ -16,6 +16,7 @@ from birdcage.cli.station_command import StationCommand
 from birdcage.rotator.feature import POSITION
 from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
+from birdcage.station.network_state import NetworkState
 from birdcage.station.requests import EndMotion, Watch
 from birdcage.station.session import farewell
 from birdcage.station.state import LinkPhase
@@ -73,6 +74,10 @@ class AttachedCommand(StationCommand):
             if position is not None and position.told_at >= since:
                 return
             self.look()
+
+    def show_network(self, network: NetworkState | None) -> None:
+        """Show a server for network clients in the station."""
+        self.station.show_network(network)
 
     def let_go(self) -> str:
         """Detach, and return where the dish was seen last."""

@@ -25,6 +25,7 @@ from birdcage.station.control_server import ControlServer
 from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
+from birdcage.station.network_state import NetworkState
 from birdcage.station.requests import Watch
 from birdcage.station.services import Services
 from birdcage.station.session import Session
@@ -77,6 +78,10 @@ class DishSession(StationCommand):
             self.progress.show("Reading the dish's settings …")
             self.look()
         self.progress.clear()
+
+    def show_network(self, network: NetworkState | None) -> None:
+        """Show a server for network clients in the station."""
+        self.station.show_network(network)
 
     def let_go(self) -> str:
         """Give the port back, and return where the dish is left."""

@@ -13,6 +13,7 @@ from birdcage.cli.exits import EndedBySignal
 from birdcage.cli.say import Progress
 from birdcage.station.access import StationAccess
 from birdcage.station.events import Event, StopConfirmed
+from birdcage.station.network_state import NetworkState
 from birdcage.station.requests import Request
 from birdcage.station.state import Activity, LinkPhase, StationState, StopReport
 
@@ -71,6 +72,10 @@ class StationCommand(ABC):
     @abstractmethod
     def call_stop(self, by: str, *, leaving: bool = False) -> None:
         """STOP: it is on its way when this returns. `leaving`: the dish is not held for other programs."""
+
+    @abstractmethod
+    def show_network(self, network: NetworkState | None) -> None:
+        """Show a server for network clients, and who they are, in the station; None: it has ended. Any thread."""
 
     @abstractmethod
     def let_go(self) -> str:

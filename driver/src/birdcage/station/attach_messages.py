@@ -29,6 +29,8 @@ no such service. Plans are told whole before the first state, event or news that
     asked      {"v": 1, "id": 10, "request": {"v": 1, "type": "AskService", "service": "pursuit", "order": …}}
     told       {"v": 1, "type": "ServiceTold", "service": "pursuit", "news": …}
 
+One that serves clients over the network shows them in the station with `ShowNetwork`, until it hangs up.
+
 The last line is an `EventsEnded`, which says why. `attached_caller` serves, `attached` asks.
 """
 
@@ -51,12 +53,15 @@ from birdcage.station.feature_report import error_values
 from birdcage.station.json_form import VERSION, check_version, request_from_json, request_types
 from birdcage.station.json_shapes import AnyJson, FieldsShape, shape_of
 from birdcage.station.json_values import MOST, Shape, shown
+from birdcage.station.network_state import NetworkState
 from birdcage.station.raw import CONSOLE, MenuCommand, RawReply, TranscriptEntry, format_line, parse_line
 from birdcage.station.state import Pointing, StationState
 
 YOU = "you"
 """How a face calls the person at its own terminal. In a station that is the person at the station's own program."""
 LONGEST_NAME = 60
+LONGEST_ASKED = 1_000_000
+"""Bytes of what an attached program asks: room for what all clients of a server have said."""
 NAMED = frozenset({"holder", "by", "previous", "next_holder", "watcher"})
 """Fields of requests, events and the state that name somebody."""
 STATE_TOLD, STATE_CHANGED, WIRE_PASSED, SERVICE_TOLD = "StateTold", "StateChanged", "WirePassed", "ServiceTold"
@@ -109,7 +114,14 @@ class AskService:
     order: AnyJson
 
 
-BesideRequest = HearWire | JoinService | AskService
+@dataclass(frozen=True, slots=True)
+class ShowNetwork:
+    """Show the server of this caller, and its clients, as `StationState.network`; null, or hanging up, ends that."""
+
+    network: NetworkState | None
+
+
+BesideRequest = HearWire | JoinService | AskService | ShowNetwork
 """What an attached program asks for beside the requests of the station."""
 
 

@@ -20,12 +20,14 @@ from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
 from birdcage.rotator.ladder import StopMeans
 from birdcage.station.attach_messages import (
+    LONGEST_ASKED,
     STATE_CHANGED,
     STATE_TOLD,
     WIRE_PASSED,
     YOU,
     BesideRequest,
     HearWire,
+    ShowNetwork,
     WirePiece,
     name_here,
     renamed,
@@ -34,12 +36,13 @@ from birdcage.station.attach_messages import (
     wire_from_json,
 )
 from birdcage.station.control_client import NoAnswer, Owner, OwnerGone, attach_to, find_owner, owners_folder
-from birdcage.station.control_messages import LONGEST_ANSWER, LONGEST_LINE, EndOfEvents, EventsEnded, as_line
+from birdcage.station.control_messages import LONGEST_ANSWER, EndOfEvents, EventsEnded, as_line
 from birdcage.station.duplex_lines import DuplexLines
 from birdcage.station.events import Event, LinkChanged, PursuitChanged, StopConfirmed, StopSent
 from birdcage.station.feature_report import error_of
 from birdcage.station.holding import hold
 from birdcage.station.json_form import VERSION, event_from_json, parse, to_json
+from birdcage.station.network_state import NetworkState
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import TranscriptEntry
 from birdcage.station.request_log import log_request
@@ -91,8 +94,8 @@ class AttachedStation:
         """STOPs that are not answered yet."""
         self._hear_wire: Callable[[WirePiece], None] | None = None
         self._services = ServiceClient(self._ask)
-        self._watches: dict[str, Watch] = {}
-        """What this face looks at: the next program is asked for it, too."""
+        self._lasting: dict[object, Request | BesideRequest] = {}
+        """What lasts until it is taken back, by watcher or kind: the next program is asked for it, too."""
         self._owner: Owner | None = None
         self._program = ""
         self._met = threading.Event()
@@ -136,20 +139,25 @@ class AttachedStation:
         future.set_running_or_notify_cancel()
         log_request(request, future)
         if isinstance(request, Watch):
-            self._watches[request.watcher] = request
+            self._lasting[request.watcher] = request
         elif isinstance(request, Unwatch):
-            self._watches.pop(request.watcher, None)
+            self._lasting.pop(request.watcher, None)
         return self._ask(request, future)
 
     def hear_wire(self, listener: Callable[[WirePiece], None] | None) -> Future[object]:
-        """Call `listener` with what passes on the wire from now on, on a thread of its own; None ends that.
-
-        The future tells as that of `submit` does. Each program that is attached to is asked for it.
-        """
+        """Call `listener` with what passes on the wire, on a thread of its own; None ends that. Tells as `submit`."""
         self._hear_wire = listener
+        return self._ask_lasting(HearWire(listener is not None))
+
+    def show_network(self, network: NetworkState | None) -> None:
+        """Show a server of this program, and its clients, in the station, unless another is; None ends that."""
+        self._ask_lasting(ShowNetwork(network))
+
+    def _ask_lasting(self, request: BesideRequest) -> Future[object]:
+        self._lasting[type(request)] = request
         future: Future[object] = Future()
         future.set_running_or_notify_cancel()
-        return self._ask(HearWire(listener is not None), future)
+        return self._ask(request, future)
 
     @property
     def services(self) -> ServiceClient:
@@ -208,7 +216,7 @@ class AttachedStation:
         except BadMessage as error:
             raise CommandRefused(f"{error} Nothing was sent.", reason=Reason.UNSUPPORTED) from None
         line = as_line({"v": VERSION, "id": number, "request": told})
-        if len(line) > LONGEST_LINE:
+        if len(line) > LONGEST_ASKED:
             raise CommandRefused("That is more than another program can be asked at once. Nothing was sent.")
         return line
 
@@ -289,10 +297,8 @@ class AttachedStation:
             self._store.put(self._told)
             if is_first:
                 self._met.set()
-                for watch in list(self._watches.values()):
-                    self.submit(watch)
-                if self._hear_wire is not None:
-                    self.hear_wire(self._hear_wire)
+                for request in list(self._lasting.values()):
+                    self._ask(request, Future())
                 self._services.join_all()
                 self._tell(LinkChanged(*self._store.stamp(), self._told.link))
         else:

@@ -13,23 +13,26 @@ from dataclasses import dataclass, replace
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.reason import Reason
 from birdcage.station.attach_messages import (
+    LONGEST_ASKED,
     AskService,
     Attach,
     Attached,
     BesideRequest,
     HearWire,
     JoinService,
+    ShowNetwork,
     answer_to_json,
     asked_from_json,
     name_here,
     state_to_json,
 )
 from birdcage.station.attachments import Attachments
-from birdcage.station.control_messages import ENDS, LONGEST_LINE, EndOfEvents, as_line, done
+from birdcage.station.control_messages import ENDS, EndOfEvents, as_line, done
 from birdcage.station.duplex_lines import DuplexLines
 from birdcage.station.event_stream import KERNEL_BYTES, LAST_LINE_S, LONGEST_QUEUE
 from birdcage.station.events import Event, PursuitChanged
 from birdcage.station.json_form import parse, to_json
+from birdcage.station.network_state import NetworkState
 from birdcage.station.requests import Request, Stop, Unwatch, Watch
 from birdcage.station.service_visits import ServiceVisits
 from birdcage.station.state import StationState
@@ -68,6 +71,8 @@ class AttachedCaller:
         """Whether the last line is on its way."""
         self._name = ""
         self._watchers: set[str] = set()
+        self._network: NetworkState | None = None
+        """The server of the caller that is shown."""
         self._open: set[Future[object]] = set()
         self._lines: DuplexLines | None = None
         self._wire = WireStream(station, attachments.on_wire, self._wake)
@@ -83,7 +88,7 @@ class AttachedCaller:
         """Talk until either side ends it; `ahead` is what the caller has said already. OSError when it is gone."""
         self._name = self._attachments.join(self._attach.name)
         line.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, KERNEL_BYTES)
-        self._lines = lines = DuplexLines(line, LONGEST_LINE, ahead)
+        self._lines = lines = DuplexLines(line, LONGEST_ASKED, ahead)
         # In this order: each event has the state that it came with.
         unwatch, unsubscribe = self._station.watch(self._note), self._station.subscribe(self._put)
         try:
@@ -96,6 +101,8 @@ class AttachedCaller:
             unwatch()
             for watcher in self._watchers:
                 self._station.submit(Unwatch(watcher))
+            if self._network is not None and self._station.state.network == self._network:
+                self._station.show_network(None)
             self._attachments.leave(self._name, set(self._open))
             lines.close()
 
@@ -129,7 +136,7 @@ class AttachedCaller:
             try:
                 line = lines.next_line()
             except ValueError:
-                self._confused(BadMessage(f"The line is longer than {LONGEST_LINE} bytes. Ask for less."))
+                self._confused(BadMessage(f"The line is longer than {LONGEST_ASKED} bytes. Ask for less."))
                 return
             if line is None:
                 return
@@ -172,9 +179,18 @@ class AttachedCaller:
                     self._visits.join(request)
                 case AskService(name, order):
                     self._visits.take(name, order)
+                case ShowNetwork(network):
+                    self._show_network(network)
         except BirdcageError as error:
             return error
         return None
+
+    def _show_network(self, network: NetworkState | None) -> None:
+        """Show the caller's server, or none any more. One of another program's that is shown stays."""
+        if self._station.state.network not in (None, self._network):
+            raise BirdcageError("Another server is shown there.", reason=Reason.BUSY)
+        self._network = None if network is None else replace(network, by=self._name)
+        self._station.show_network(self._network)
 
     def _as_own(self, request: Request) -> Request:
         """Return a request as the station gets it: a watch goes by a name of its own and ends with its caller."""

@@ -95,6 +95,8 @@ class NetworkState:
     """In the order in which they came."""
     turned_away: int = 0
     """How many were not let in: not in an allowed network, or too many."""
+    by: str = ""
+    """Which attached program serves: `birdcage serve, anna (pts/3)`. Empty where the station's own program does."""
 
     @property
     def address(self) -> str:

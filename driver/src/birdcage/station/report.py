@@ -75,6 +75,7 @@ def network_report(network: NetworkState) -> dict[str, Told]:
     """Return the server for network clients, and who they are; what was said between them is left out."""
     return {
         "address": network.address,
+        "by": network.by or None,
         "read_only": network.read_only,
         "strict": network.strict,
         "turned_away": network.turned_away,

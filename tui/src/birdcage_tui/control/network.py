@@ -74,7 +74,7 @@ def now_rows(view: View) -> list[Row]:
     if state.not_now:
         found.append(("Unattended", "warn", state.not_now))
     if state.network is not None:
-        found.append(("Server", "text", _served(state.network)))
+        found.append(("Server", "text", _served(state.network, view)))
     found.append(("Port", "text", through(state.port.split("?")[0] or "--", view)))
     return found
 
@@ -92,10 +92,12 @@ def _elsewhere(view: View) -> str:
     return f"{view.via} drives the dish. `birdcage serve` in another terminal serves programs through it."
 
 
-def _served(network: NetworkState) -> str:
+def _served(network: NetworkState, view: View) -> str:
     rules = ["read only"] * network.read_only + ["strict"] * network.strict
     away = f"turned away {network.turned_away}" if network.turned_away else ""
-    return ", ".join(filter(None, (f"on at {network.address}", *rules, away))) + ". o stops it."
+    by = f"run by {network.by}" if network.by else ""
+    advice = "" if by or view.via else " o stops it."
+    return ", ".join(filter(None, (f"on at {network.address}", by, *rules, away))) + f".{advice}"
 
 
 class ControlPane(Pane):
@@ -234,6 +236,8 @@ class NetworkPane(Vertical):
                 chosen = clients.client(state.network)
                 if host.network is None:
                     host.say(_elsewhere(host.view()))
+                elif state.network is not None and state.network.by:
+                    host.say(f"{state.network.by} runs that server. Only that program ends its connections.")
                 elif chosen is not None:
                     host.network.hang_up(chosen.number)
                     host.say(f"Hung up on {chosen.label}. It may connect again.")

@@ -200,11 +200,10 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
     from birdcage.rotctld.server import RotctldService
 
     as_json, settings = flags().json, wants.settings.rotctld
-    # Another program's station is not told who the clients are: its own server may show its own.
     station = dish.session.station if isinstance(dish, DishSession) else None
     service = RotctldService(
         dish.station, listener, settings, options_from(wants.settings),
-        show=station.show_network if station else lambda _state: None,
+        show=dish.show_network,
         tell=lambda news: _tell(news, dish if as_json else None), recorder=recorder,
     )  # fmt: skip
     host, port = service.address
