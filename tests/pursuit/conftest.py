@@ -45,6 +45,8 @@ class DeskBench:
     favourites: tuple[int, ...] = ()
     """Places in `ORBITS`."""
     port: str = "sim:test"
+    options: dict = field(default_factory=dict)
+    """Of `StationSettings`."""
 
     orbits = ORBITS
     short = SHORT
@@ -66,7 +68,7 @@ class DeskBench:
         rules = rules_from(self.settings)
         self.station = Station(self.clock, StationSettings(
             port=self.port, firmware=self.address.partition("?")[0], open_link=self._open,
-            **{name: getattr(rules, name) for name in rules.__slots__},
+            **{name: getattr(rules, name) for name in rules.__slots__}, **self.options,
         ))  # fmt: skip
         self.session = Session(self.clock, self.station)
         self.station.subscribe(self.events.append)

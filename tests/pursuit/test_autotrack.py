@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import timedelta
 
 import pytest
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import MotionSettings
+from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings
 from birdcage.pursuit.now import Mode
 from birdcage.sky.catalogue import Catalogue
-from birdcage.station.events import PursuitChanged
+from birdcage.station.events import FaultRaised, PursuitChanged, Recovered
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Release
 
@@ -102,3 +104,47 @@ def test_a_new_favourite_comes_into_the_schedule(auto):
     auto.step(7.0)
     assert {row.name for row in auto.desk.now.schedule} - before == {auto.orbits[5].name}
     assert auto.desk.now.schedule[0].reach_end > auto.clock.utc() - timedelta(minutes=1)
+
+
+@pytest.fixture
+def night(make):
+    """Autotrack at work at a dish that is homed again by itself."""
+    rules = replace(RULES, station=StationSection(after_reboot="home"))
+    bench = make(settings=rules, favourites=FAVOURITES, options={"home_after_reboot": True})
+    bench.do(2.0)
+    bench.desk.set_autotrack(True)
+    bench.do(2.0)
+    return bench
+
+
+@pytest.mark.parametrize("phase", [Phase.WAITING, Phase.FOLLOWING])
+def test_a_dish_whose_power_fails_at_night_follows_the_next_pass_and_one_event_says_so(night, phase):
+    kept = [row for row in night.desk.now.schedule if row.kept]
+    night.until(lambda: night.phase() is phase)
+    night.device.reboot()
+    night.until(lambda: any(isinstance(event, FaultRaised) for event in night.events))
+    night.until(lambda: night.station.state.fault is None, 300.0)
+    assert night.station.state.held is None
+    for row in kept[:2]:
+        night.until(
+            lambda row=row: night.phase() is Phase.FOLLOWING and night.pursuit.plan.aim.name == row.name, 2400.0
+        )
+    assert [type(event) for event in night.events].count(Recovered) == 1
+    assert night.desk.now.autotrack
+
+
+def test_a_persons_stop_after_its_power_has_failed_ends_autotrack(night):
+    night.until(lambda: night.phase() is Phase.FOLLOWING)
+    night.device.reboot()
+    night.until(lambda: night.station.state.fault is not None)
+    night.station.stop("you")
+    night.until(lambda: not night.desk.now.autotrack)
+    assert night.desk.now.problem == "STOP has switched autotrack off."
+
+
+def test_unless_it_is_homed_by_itself_a_restart_ends_autotrack(auto):
+    auto.desk.set_autotrack(True)
+    auto.do(2.0)
+    auto.until(lambda: auto.phase() is Phase.FOLLOWING)
+    auto.device.reboot()
+    auto.until(lambda: not auto.desk.now.autotrack, 120.0)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError
+from birdcage.base.held import HeldReason
 from birdcage.pursuit.autotrack import Autotrack
 from birdcage.pursuit.chosen_target import ChosenTarget
 from birdcage.pursuit.circumstances import Circumstances
@@ -364,8 +365,16 @@ class DeskWork:
         ):
             self.take_up(asked=False)
 
+    def _recovers(self) -> bool:
+        """Return whether the dish has restarted, and is homed without a person: what was scheduled goes on then."""
+        fault, held = self._station.state.fault, self._station.state.held
+        by_itself = self._plans.settings.station.after_reboot == "home" and fault is not None and fault.is_of_power
+        return by_itself and (held is None or held.reason is HeldReason.FAULT)
+
     def _keep_timetable(self, at: Circumstances, monotonic: float) -> None:
         """Keep autotrack's plan, and ask for what it wants followed."""
+        if self._auto.on and self._recovers():
+            return
         if self._auto.on and self._station.state.held is not None:
             # STOP cancels what was scheduled too: a person switches it on again.
             self._stopped.autotrack_off(self._auto.row)

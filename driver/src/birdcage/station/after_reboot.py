@@ -12,7 +12,7 @@ from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import FaultAcknowledged, Recovered
 from birdcage.station.parts import Parts
 from birdcage.station.search_control import SearchControl
-from birdcage.station.state import Activity, Fault, FaultReason, LinkPhase, TvSearch
+from birdcage.station.state import Activity, Fault, LinkPhase, TvSearch
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
 
@@ -20,7 +20,6 @@ QUIET_S = 5.0
 """How long the dish has to be quiet and at rest first: it may be starting still."""
 BY = "station.after_reboot"
 """Who homes the dish, and acknowledges the fault."""
-POWER_FAILED = (FaultReason.REBOOT, FaultReason.UNHOMED)
 
 
 @dataclass
@@ -51,7 +50,7 @@ class AfterReboot:
             return now if self._homing.done() else None
         state = self._store.state
         fault, held = state.fault, state.held
-        if not self._homes or fault is None or fault is self._tried or fault.reason not in POWER_FAILED:
+        if not self._homes or fault is None or fault is self._tried or not fault.is_of_power:
             return None
         if held is not None and held.reason is not HeldReason.FAULT:
             return None

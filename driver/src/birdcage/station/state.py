@@ -238,6 +238,11 @@ class Fault:
     remedy: str
     utc: datetime
 
+    @property
+    def is_of_power(self) -> bool:
+        """Whether its power has failed, or may have: the dish has restarted, or no longer knows where it points."""
+        return self.reason in (FaultReason.REBOOT, FaultReason.UNHOMED)
+
 
 @dataclass(frozen=True, slots=True)
 class StopReport:
