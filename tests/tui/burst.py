@@ -19,8 +19,9 @@ def key_of(name):
 
 
 def write(app, *names):
-    """Have the driver read these keys at once; return the events."""
-    driver, keys = stop_first(HeadlessDriver)(app), [key_of(name) for name in names]
+    """Have the driver read these keys, or events of the mouse, at once; return the events."""
+    driver = stop_first(HeadlessDriver)(app)
+    keys = [key_of(name) if isinstance(name, str) else name for name in names]
     for key in keys:
         driver.send_message(key)
     return keys

@@ -11,6 +11,7 @@ from birdcage.station.requests import Goto, Home, Jog, Release
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.shell.key_queue import settled
 from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.status import BadDayRow
 from burst import key_of, settle, typed, write
 from stage import run
 from textual.events import MouseDown
@@ -135,6 +136,19 @@ def test_an_enter_under_way_that_stop_overtakes_does_not_let_go_of_held(names, w
         return overtaken, app.station.asked_for(Release)
 
     assert run(body, "held") == ((["you"], []), [Release("you")])
+
+
+@pytest.mark.parametrize("order", [("press", "ctrl+c"), ("ctrl+c", "press")])
+def test_a_press_on_the_row_lets_go_of_held_only_after_the_stop_that_was_typed(order):
+    async def body(app, pilot):
+        x, y = app.screen.query_one(BadDayRow).region.offset
+        press = MouseDown(None, x + 1, y, 0, 0, 1, False, False, False, x + 1, y)
+        write(app, *(press if each == "press" else each for each in order))
+        await settle(app)
+        await pilot.pause()
+        return app.station.stops, app.station.asked_for(Release)
+
+    assert run(body, "held") == (["you"], [] if order[0] == "press" else [Release("you")])
 
 
 def test_a_stop_typed_while_held_is_let_go_of_is_said_again():

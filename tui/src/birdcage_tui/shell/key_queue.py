@@ -44,6 +44,8 @@ class KeyQueue:
         self._means_stop, self._stop = means_stop, stop
         self._read: deque[tuple[Key, bool]] = deque(maxlen=READ_AHEAD)
         """Keys that were read and not taken yet, and whether each has stopped the dish already."""
+        self._presses: deque[tuple[MouseDown, int]] = deque(maxlen=READ_AHEAD)
+        """Presses of the mouse that were read and not taken yet, and how many STOPs had been typed before each."""
         self._waiting: deque[tuple[Typed, int]] = deque()
         """What waits for its turn, and how many STOPs had been typed before it."""
         self._settling: asyncio.Task[None] | None = None
@@ -74,6 +76,10 @@ class KeyQueue:
         """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
         self._read.append((key, self._stops(key)))
 
+    def read_press(self, press: MouseDown) -> None:
+        """Note that the mouse was pressed now, by the order of what is typed. Called as `read` is."""
+        self._presses.append((press, self._stops_typed))
+
     def _stops(self, key: Key) -> bool:
         """Stop the dish if that is what a key means; return whether it does."""
         if not self._means_stop(key):
@@ -86,7 +92,7 @@ class KeyQueue:
         """Deal with a key or a paste now, or as soon as its turn comes; return False for what goes on by itself."""
         stops = self._stops_typed
         if isinstance(event, MouseDown):
-            self._stops_before = stops
+            self._stops_before = self._before_press(event)
         if not isinstance(event, Typed):
             return False
         if event.is_forwarded:
@@ -100,6 +106,14 @@ class KeyQueue:
         else:
             await self._begin(event, stops)
         return True
+
+    def _before_press(self, press: MouseDown) -> int:
+        """Return how many STOPs had been typed when the mouse was pressed."""
+        while self._presses:
+            read, stops = self._presses.popleft()
+            if read is press:
+                return stops
+        return self._stops_typed
 
     def _has_stopped(self, key: Key) -> bool:
         """Return whether it has stopped the dish when it was read; what was read before it is taken."""

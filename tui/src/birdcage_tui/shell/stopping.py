@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from textual.driver import Driver
-from textual.events import Key
+from textual.events import Key, MouseDown
 from textual.message import Message
 
 
@@ -28,6 +28,8 @@ def stop_first(base: type[Driver]) -> type[Driver]:
             keys = getattr(self._app, "keys", None)
             if isinstance(message, Key) and keys is not None:
                 keys.read(message)
+            elif isinstance(message, MouseDown) and keys is not None:
+                keys.read_press(message)
             super().send_message(message)
 
     return StopFirst
