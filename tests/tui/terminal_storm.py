@@ -95,7 +95,7 @@ class TerminalStorm:
             assert self.app.process.poll() is None, (
                 f"after {self.pressed} keys the app has ended: {self.app.text[-2000:]}"
             )
-            assert time.monotonic() < end, f"after {self.pressed} keys: {words}"
+            assert time.monotonic() < end, f"after {self.pressed} keys: {words}\n{self.app.text[-3000:]}"
             Event().wait(0.05)
 
     def _key(self) -> bytes:
