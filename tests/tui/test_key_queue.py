@@ -1,6 +1,7 @@
 """Keys that arrive together: each is dealt with where the one before it has led, and none ends the app."""
 
 import asyncio
+import threading
 from types import SimpleNamespace
 
 import horizon_stand_in
@@ -136,6 +137,32 @@ def test_an_enter_under_way_that_stop_overtakes_does_not_let_go_of_held(names, w
         return overtaken, app.station.asked_for(Release)
 
     assert run(body, "held") == ((["you"], []), [Release("you")])
+
+
+def test_an_enter_that_is_taken_while_stop_goes_out_does_not_let_go_of_held():
+    """The wire takes its time, and the app's thread goes on meanwhile."""
+
+    async def body(app, pilot):
+        taken, stop = threading.Event(), app.keys._stop
+
+        def stopping():
+            stop()
+            assert taken.wait(10.0)
+
+        app.keys._stop = stopping
+        enter = key_of("enter")
+        app.keys.read(enter)
+        reader = threading.Thread(target=app.keys.read, args=(key_of("ctrl+c"),))
+        reader.start()
+        while not app.station.stops:
+            await asyncio.sleep(0.001)
+        await app.on_event(enter)
+        await settle(app)
+        taken.set()
+        reader.join()
+        return app.station.stops, app.station.asked_for(Release)
+
+    assert run(body, "held") == (["you"], [])
 
 
 @pytest.mark.parametrize("order", [("press", "ctrl+c"), ("ctrl+c", "press")])

@@ -42,8 +42,8 @@ class KeyQueue:
     ) -> None:
         self._app, self._deal, self._tell_stop = app, deal, tell_stop
         self._means_stop, self._stop = means_stop, stop
-        self._read: deque[tuple[Key, bool]] = deque(maxlen=READ_AHEAD)
-        """Keys that were read and not taken yet, and whether each has stopped the dish already."""
+        self._read: deque[tuple[Key, bool, int]] = deque(maxlen=READ_AHEAD)
+        """Keys that were read and not taken yet, whether each means STOP, and how many STOPs were typed before it."""
         self._presses: deque[tuple[MouseDown, int]] = deque(maxlen=READ_AHEAD)
         """Presses of the mouse that were read and not taken yet, and how many STOPs had been typed before each."""
         self._waiting: deque[tuple[Typed, int]] = deque()
@@ -74,7 +74,11 @@ class KeyQueue:
 
     def read(self, key: Key) -> None:
         """Stop at once if that is what it means. Called on the thread that reads the keys, before `take`."""
-        self._read.append((key, self._stops(key)))
+        stops = self._means_stop(key)
+        # First: while STOP goes out, the app's thread may take what was typed before it.
+        self._read.append((key, stops, self._stops_typed))
+        if stops:
+            self._stop_now()
 
     def read_press(self, press: MouseDown) -> None:
         """Note that the mouse was pressed now, by the order of what is typed. Called as `read` is."""
@@ -82,24 +86,27 @@ class KeyQueue:
 
     def _stops(self, key: Key) -> bool:
         """Stop the dish if that is what a key means; return whether it does."""
-        if not self._means_stop(key):
-            return False
+        stops = self._means_stop(key)
+        if stops:
+            self._stop_now()
+        return stops
+
+    def _stop_now(self) -> None:
         self._stops_typed += 1  # first: what is under way may come to its end at any moment
         self._stop()
-        return True
 
     async def take(self, event: Event) -> bool:
         """Deal with a key or a paste now, or as soon as its turn comes; return False for what goes on by itself."""
-        stops = self._stops_typed
         if isinstance(event, MouseDown):
             self._stops_before = self._before_press(event)
         if not isinstance(event, Typed):
             return False
         if event.is_forwarded:
             return self.closed or not self._app.screen_stack  # no page is left for it
-        if isinstance(event, Key) and (self._has_stopped(event) or self._stops(event)):
+        stopped, stops = self._as_read(event)
+        if isinstance(event, Key) and (stopped or self._stops(event)):
             self._spent_on_stop()
-        elif self.closed or any(stopped for _, stopped in tuple(self._read)):
+        elif self.closed or any(each_stops for _, each_stops, _ in tuple(self._read)):
             pass  # a STOP was typed after it, and has gone out: it comes too late
         elif self._waiting or self._settling is not None:
             self._waiting.append((event, stops))
@@ -115,13 +122,16 @@ class KeyQueue:
                 return stops
         return self._stops_typed
 
-    def _has_stopped(self, key: Key) -> bool:
-        """Return whether it has stopped the dish when it was read; what was read before it is taken."""
-        while any(each is key for each, _ in tuple(self._read)):
-            each, stopped = self._read.popleft()
-            if each is key:
-                return stopped
-        return False
+    def _as_read(self, typed: Typed) -> tuple[bool, int]:
+        """Return whether it has stopped the dish when it was read, and how many STOPs had been typed before it.
+
+        What was read before it is taken.
+        """
+        while any(each is typed for each, _, _ in tuple(self._read)):
+            each, stopped, before = self._read.popleft()
+            if each is typed:
+                return stopped, before
+        return False, self._stops_typed
 
     def _spent_on_stop(self) -> None:
         self._waiting.clear()  # done after STOP, an Enter that was typed before it would let go of HELD
