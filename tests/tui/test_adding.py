@@ -261,7 +261,7 @@ def test_the_palette_finds_all_three(tmp_path, size):
 
 def test_a_place_that_is_set_in_the_demo_counts_over_the_one_it_began_with(tmp_path):
     paths = Paths.in_folder(tmp_path)
-    session, settings = run_module._build(main.parser().parse_args(["--demo"]), paths)
+    session, settings, _services = run_module._build(main.parser().parse_args(["--demo"]), paths)
     try:
         before = settings.setup()
         settings.keep_place(-33.5, 151.2, 0.0, "Sydney")

@@ -107,6 +107,6 @@ def test_the_demo_begins_with_a_cable_that_was_counted_earlier():
 
 def test_the_demo_of_a_person_begins_so_too(tmp_path):
     paths = Paths.in_folder(tmp_path)
-    session, _settings = run._build(parser().parse_args(["--demo"]), paths)
+    session, _settings, _services = run._build(parser().parse_args(["--demo"]), paths)
     session.close()
     assert [path.parent.parent.name for path in tmp_path.rglob("turn.json")] == ["dishes"]

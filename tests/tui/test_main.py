@@ -71,7 +71,7 @@ def run_app(monkeypatch, session):
 
     def run_app(**ending):
         monkeypatch.setattr(run, "BirdcageApp", type("App", (Ended,), ending))
-        monkeypatch.setattr(run, "_build", lambda *_: (session, AppOptions()))
+        monkeypatch.setattr(run, "_build", lambda *_: (session, AppOptions(), {}))
         return run.run(main.parser().parse_args(["--demo"]))
 
     return run_app
@@ -170,7 +170,7 @@ def test_the_setup_opens_by_itself_on_a_first_run_or_without_a_port(
     if file is not None:
         paths.config_file.parent.mkdir(parents=True, exist_ok=True)
         paths.config_file.write_text(file)
-    session, settings = run._build(options, paths)
+    session, settings, _services = run._build(options, paths)
     try:
         assert settings.first_page == page
         assert session.station.state.port.partition("&id=")[0] == port
@@ -203,7 +203,7 @@ def test_the_firmware_that_answers_is_spoken_and_a_mute_port_opens_the_setup(
     paths = Paths.in_folder(tmp_path)
     paths.config_file.parent.mkdir(parents=True, exist_ok=True)
     paths.config_file.write_text('[dish]\nport = "/dev/ttyUSB3"\n')
-    session, settings = run._build(main.parser().parse_args([]), paths)
+    session, settings, _services = run._build(main.parser().parse_args([]), paths)
     try:
         assert asked == [("/dev/ttyUSB3", None)]
         assert session.station.state.dish.firmware == firmware
@@ -216,7 +216,7 @@ def test_the_firmware_that_answers_is_spoken_and_a_mute_port_opens_the_setup(
 def test_a_firmware_that_was_named_is_not_listened_for(words, monkeypatch, tmp_path):
     monkeypatch.setenv("BIRDCAGE_HOME", str(tmp_path))
     monkeypatch.setattr(run, "_detect", lambda *_: pytest.fail("nothing is to be asked"))
-    session, _ = run._build(main.parser().parse_args(words), Paths.in_folder(tmp_path))
+    session, *_ = run._build(main.parser().parse_args(words), Paths.in_folder(tmp_path))
     try:
         named = "hal205" in words
         assert session.station.state.dish.firmware == ("hal205" if named else "g2")
@@ -242,7 +242,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
         paths.config_file.write_text('[dish]\nfirmware = "hal205"\n')  # as the setup keeps it
         built.append((options.firmware, options.baud))
         sessions.append(stand_in.Session(stand_in.at_rest(clock), clock))
-        return sessions[-1], AppOptions()
+        return sessions[-1], AppOptions(), {}
 
     monkeypatch.setattr(run, "BirdcageApp", App)
     monkeypatch.setattr(run, "_build", build)

@@ -210,7 +210,7 @@ def test_a_demo_looks_for_nothing_that_it_lacks():
             demo=True, speed=None, firmware=None, baud=None, port=None, theme=None, glyphs=None, config=None,
             skip_init=False,
         )  # fmt: skip
-        session, settings = _build(options, paths)
+        session, settings, _services = _build(options, paths)
         session.close()
     assert settings.ready is None
 
