@@ -71,7 +71,7 @@ def run_app(monkeypatch, session):
 
     def run_app(**ending):
         monkeypatch.setattr(run, "BirdcageApp", type("App", (Ended,), ending))
-        monkeypatch.setattr(run, "_build", lambda *_: (session, AppOptions(), {}))
+        monkeypatch.setattr(run, "_build", lambda *_: (session, AppOptions(), None))
         return run.run(main.parser().parse_args(["--demo"]))
 
     return run_app
@@ -242,7 +242,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
         paths.config_file.write_text('[dish]\nfirmware = "hal205"\n')  # as the setup keeps it
         built.append((options.firmware, options.baud))
         sessions.append(stand_in.Session(stand_in.at_rest(clock), clock))
-        return sessions[-1], AppOptions(), {}
+        return sessions[-1], AppOptions(), None
 
     monkeypatch.setattr(run, "BirdcageApp", App)
     monkeypatch.setattr(run, "_build", build)
