@@ -18,6 +18,7 @@ from birdcage.pursuit.pass_log import PassLog
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
+from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.station.requests import Watch
 from birdcage.station.session import Session
@@ -42,21 +43,21 @@ class DeskBench:
     observer: Observer | None = HERE
     address: str = "g2?seed=1"
     now: datetime = NOW
+    orbits: tuple[ElementSet, ...] = ORBITS
     favourites: tuple[int, ...] = ()
-    """Places in `ORBITS`."""
+    """Places in `orbits`."""
     port: str = "sim:test"
     options: dict = field(default_factory=dict)
     """Of `StationSettings`."""
 
-    orbits = ORBITS
     short = SHORT
 
     def __post_init__(self):
         self.paths = Paths.in_folder(self.folder)
         with Catalogue(self.paths.catalogue) as catalogue:
-            catalogue.add(ORBITS)
+            catalogue.add(self.orbits)
             for index in self.favourites:
-                catalogue.set_favourite(ORBITS[index].norad_id)
+                catalogue.set_favourite(self.orbits[index].norad_id)
         self.clock = VirtualClock(self.now)
         self.device = open_device(self.address, clock=self.clock)
         self.start()
