@@ -44,6 +44,7 @@ class ClientRotor:
     def position(self) -> tuple[float, float]:
         """Return where the dish is; over a short loss of the link, where it was last seen."""
         self._told = None
+        self._wishes.pursuit.heard(self._now)
         here = self._shared.seen.position(self._station.state, self._now)
         self._told = here.az_deg, here.el_deg
         return self._told
@@ -93,6 +94,7 @@ class ClientRotor:
     def set_position(self, az_deg: float, el_deg: float) -> None:
         """Take a wish. EIO or ETIMEOUT while the dish is out of sight for longer than is held over."""
         self._drive.end()
+        self._wishes.pursuit.heard(self._now)
         self._wishes.take(pointed(az_deg, el_deg))
 
     def park(self) -> None:
@@ -102,7 +104,7 @@ class ClientRotor:
         """
         self._refuse_read_only()
         self._drive.end()
-        self._wishes.end_smoothing()
+        self._wishes.end_stream()
         park = self._shared.park_position()
         if why := self._wishes.obstacle():
             self._wishes.note_ignored(why)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.errors import BirdcageError, Stopped, Superseded
 from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
+from birdcage.rotctld.client_pursuit import ClientPursuit
 from birdcage.rotctld.client_view import WishedDirection
 from birdcage.rotctld.rprt import RotctldError, Rprt
 from birdcage.rotctld.wish_smoother import WishSmoother
@@ -44,6 +45,8 @@ class ClientWishes:
         self._smoother = WishSmoother(
             self._station, holder, "off" if self._options.leapfrog else self._options.smoother
         )
+        self.pursuit = ClientPursuit(self._station, holder, shared.recogniser)
+        """Of the satellite that it follows."""
         self.waits = False
         """Whether the wish is to be sent once the dish is back in sight."""
         self._refused_since: float | None = None
@@ -85,14 +88,19 @@ class ClientWishes:
             self.waits = True
             return
         if self._ends_smoothing():
-            self._smoother.end()
+            self.end_stream()
             self._ask(wish, wish)
+        elif self.pursuit.covers(wish, now):
+            self._smoother.end()
+            self._asked = self._asked_for = self._aim = None
+            self.why = ""
         else:
             self._ask(wish, self._smoother.take(wish, now))
 
-    def end_smoothing(self) -> None:
+    def end_stream(self) -> None:
         """Take the next wish as it is: it has nothing to do with those before."""
         self._smoother.end()
+        self.pursuit.end()
 
     def _ends_smoothing(self) -> bool:
         """Whether a wish is at most carried out as it is: the dish is not, or not surely, this client's to move."""
@@ -188,6 +196,7 @@ class ClientWishes:
         """Take the wish back: what was sent already goes on."""
         self.hear_outcome()
         self._smoother.forget()
+        self.pursuit.forget()
         self.wish = self.at = None
         self.waits = False
         self.why = ""
@@ -198,6 +207,9 @@ class ClientWishes:
     def tick(self, now: float) -> None:
         """Send what is due between wishes; and the one that waits for the dish, once that was seen at rest again."""
         self.hear_outcome()
+        if self.pursuit.tick(now) and self.wish is not None:
+            with suppress(RotctldError):  # nobody waits for an answer; the view tells
+                self._ask(self.wish, self.wish)
         self._go_on(now)
         if not self.waits or self.wish is None:
             return
