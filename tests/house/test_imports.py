@@ -27,6 +27,7 @@ WITH_ARRAYS = (
     "birdcage.sky.look_down",
     "birdcage.sky.passes.",
     "birdcage.sky.propagate",
+    "birdcage.sky.recognition",
     "birdcage.sky.reach",
     "birdcage.sky.sun_crossing",
     "birdcage.sky.sun_vectors",

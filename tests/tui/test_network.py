@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from datetime import timedelta
 
 import pytest
@@ -91,6 +92,12 @@ class Server:
     def hang_up(self, number):
         self.asked.append(number)
 
+    def shut_out(self, number, *, on):
+        self.asked.append((number, "ignore", on))
+
+    def recognise(self, *, on):
+        self.asked.append(("recognise", on))
+
     def close(self):
         self.asked.append("close")
 
@@ -139,6 +146,74 @@ def test_keys_choose_a_client_hang_up_and_switch_the_server():
     assert "▶ SatDump" in text
     assert "Lines of SatDump" in text
     assert server.asked == [2, "switch"]
+
+
+FOLLOWS = replace(CLIENTS[0], follows="NOAA 20", follow_error_deg=0.031, steps_error_deg=2.97)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_satellite_that_a_client_follows_stands_there_with_both_errors(size):
+    text = flat(run(network, "slewing", size, key="f2", state=serving(FOLLOWS, *CLIENTS[1:], recognises=True)))
+    assert "Gpredict follows NOAA 20: 0.03°; its own steps would leave 2.97°." in text
+    assert "control, follows NOAA 20" in text
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(
+    ("told", "words"),
+    [
+        ({"recognises": True}, "recognised by what programs ask for. r goes by their own steps."),
+        ({"recognises": True, "recognises_why_not": "no place is set"}, "not recognised: no place is set."),
+        ({}, "not recognised: programs' own steps count. r changes that."),
+    ],
+    ids=["on", "no place", "off"],
+)
+def test_it_says_whether_satellites_are_recognised_and_why_not(size, told, words):
+    assert f"Satellites {words}" in flat(run(network, "slewing", size, key="f2", state=serving(*CLIENTS, **told)))
+
+
+def test_before_it_was_on_the_target_no_error_is_shown():
+    client = replace(FOLLOWS, follow_error_deg=None)
+    text = flat(run(network, "slewing", (120, 36), key="f2", state=serving(client, recognises=True)))
+    assert "Gpredict follows NOAA 20; its own steps would leave 2.97°." in text
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_client_that_a_person_ignores_is_told_so(size):
+    client = replace(CLIENTS[1], shut_out=True)
+    text = flat(run(network, "slewing", size, key="f2", state=serving(CLIENTS[0], client)))
+    assert "ignored by a person" in text
+
+
+def test_keys_ignore_a_client_and_switch_recognition():
+    server = Server()
+
+    async def press(app, pilot):
+        await network(app, pilot)
+        await pilot.press("down", "i", "r")
+        return flat(await read(app, pilot))
+
+    text = run(press, "slewing", (120, 36), key="f2", state=serving(*CLIENTS, recognises=True), network=server)
+    assert server.asked == [(2, "ignore", True), ("recognise", False)]
+    assert "Programs' own steps count." in text
+    server.asked.clear()
+    client = replace(CLIENTS[1], shut_out=True)
+    run(press, "slewing", (120, 36), key="f2", state=serving(CLIENTS[0], client), network=server)
+    assert server.asked == [(2, "ignore", False), ("recognise", True)]
+
+
+def test_only_the_program_that_runs_a_server_changes_it():
+    server = Server()
+
+    async def press(app, pilot):
+        await network(app, pilot)
+        await pilot.press("i", "r", "x")
+        return flat(await read(app, pilot))
+
+    text = run(press, "slewing", (120, 36), key="f2", network=server,
+               state=serving(*CLIENTS, recognises=True, by="birdcage serve, anna (pts/3)"))  # fmt: skip
+    assert server.asked == []
+    assert "birdcage serve, anna (pts/3) runs that server. Only that program changes it." in text
 
 
 def test_one_key_takes_control_for_a_quarter_of_an_hour_and_one_gives_it_back():

@@ -268,7 +268,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     if attached is not None:
         track = follow_there(attached.station)
     else:
-        network = StationNetwork(own.station, load_again)
+        network = StationNetwork(own.station, clock, paths, load_again)
         if settings.rotctld.in_app:
             network.switch()  # what is wrong with it is a warning, and shown
         track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals, services=services)

@@ -5,12 +5,11 @@ from __future__ import annotations
 import logging
 from collections import deque
 from concurrent.futures import Future
-from dataclasses import dataclass
 from datetime import datetime
 
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, MotionRefused
 from birdcage.base.geometry import separation
-from birdcage.rotctld.client_view import WishedDirection
+from birdcage.rotctld.client_view import Following, WishedDirection
 from birdcage.rotctld.followed_satellite import FollowedSatellite
 from birdcage.rotctld.recogniser import Recogniser
 from birdcage.station.access import StationAccess
@@ -32,19 +31,8 @@ AT_REST = (Phase.WAITING, Phase.YIELDED, Phase.INTERRUPTED)
 log = logging.getLogger("birdcage.rotctld")
 
 
-@dataclass(frozen=True, slots=True)
-class Following:
-    """What is to be shown of a client whose satellite is followed."""
-
-    name: str
-    error_deg: float | None
-    """How far off the dish was, RMS; None before it was looked at on the target."""
-    steps_deg: float
-    """How far off it was with the client's own steps, RMS."""
-
-
 class ClientPursuit:
-    """For the server's thread. `covers` has to be asked of each wish that could be carried out."""
+    """For the server's thread. `covers` has to be asked of each wish that could be carried out, `take_up` after it."""
 
     def __init__(self, station: StationAccess, holder: str, recogniser: Recogniser | None) -> None:
         """`recogniser`: None where this server can't follow by itself."""
@@ -76,7 +64,7 @@ class ClientPursuit:
             self._wishes.popleft()
         self._wishes.append((t_s, wish))
         self._ask(now)
-        return self._take_up(wish, t_s)
+        return False
 
     def heard(self, now: float) -> None:
         """It has said something."""
@@ -88,7 +76,8 @@ class ClientPursuit:
             return False
         live = self._live
         if not self._is_live:
-            self._done = self._pass_of(self._satellite)
+            if self._is_of_no_use(self._satellite):
+                self._done = self._pass_of(self._satellite)
             self._forget()
             return False
         if self._recogniser is None or not self._recogniser.on:
@@ -134,19 +123,23 @@ class ClientPursuit:
             return
         self._asks, self._asked_at = True, now
         stream, answers = self._stream, self._answers
-        self._recogniser.ask(
-            tuple(self._wishes), self._station.state, lambda found: answers.append((stream, found))
-        )
+        self._recogniser.ask(tuple(self._wishes), self._station.state, lambda found: answers.append((stream, found)))
 
-    def _take_up(self, wish: WishedDirection, t_s: float) -> bool:
-        """Begin to follow what was recognised; return whether that was asked of the station."""
+    def take_up(self) -> bool:
+        """Begin to follow what was recognised meanwhile, if anything was; return whether it was asked for.
+
+        Only while the dish is this client's to move.
+        """
         found: FollowedSatellite | None = None
         while self._answers:
             stream, answer = self._answers.popleft()
             self._asks = False
             found = answer if stream == self._stream else None
-        if found is None or not found.agrees(wish, t_s) or self._pass_of(found) == self._done:
+        if found is None or self._satellite is not None or self._pass_of(found) == self._done:
             return False
+        t_s, wish = self._wishes[-1]
+        if not found.agrees(wish, t_s):
+            return False  # it has gone over to something else meanwhile
         other = self._station.state.pursuit
         if other is not None and other.phase is not Phase.OVER and other.holder != self._holder:
             return False  # it waits for its own pass, and goes on when this client is done
@@ -172,6 +165,12 @@ class ClientPursuit:
             return True
         live = self._live
         return live is not None and live.phase is not Phase.OVER
+
+    def _is_of_no_use(self, satellite: FollowedSatellite) -> bool:
+        """Return whether its pass is over, as far as it is in reach, or the dish refuses to follow it."""
+        assert self._begun is not None, "it has begun"
+        refused = not self._begun.cancelled() and isinstance(self._begun.exception(), MotionRefused)
+        return refused or self._station.clock.utc().timestamp() >= satellite.plan.legs[-1].end_s
 
     @staticmethod
     def _pass_of(satellite: FollowedSatellite) -> tuple[int, datetime] | None:

@@ -82,11 +82,14 @@ class ClientRecord:
         )  # fmt: skip
         if wishes is None:
             return seen
-        wish = wishes.wish
+        wish, following = wishes.wish, wishes.following
         return replace(
             seen, role=NetworkRole(wishes.role), ignored=wishes.ignored, why=wishes.why, waits=wishes.waits,
-            stale=wishes.stale, lead_s=wishes.lead_s,
+            stale=wishes.stale, lead_s=wishes.lead_s, shut_out=wishes.shut_out,
             wants_az_deg=wish.az_deg if wish else None, wants_el_deg=wish.el_deg if wish else None,
+            follows=following.name if following else "",
+            follow_error_deg=following.error_deg if following else None,
+            steps_error_deg=following.steps_deg if following else None,
         )  # fmt: skip
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Future
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from birdcage.rotctld.client_console import send_line
@@ -145,9 +146,17 @@ class ClientRotor:
         if self._station.state.link.state is not LinkPhase.UP:
             raise self._shared.seen.error(self._station.state)
 
+    def shut_out(self, *, on: bool) -> None:
+        """Ignore its wishes from now on, and end what it moves; or take them again from the next one on."""
+        if on and not self._wishes.shut_out:
+            with suppress(RotctldError):  # there is no link: the dish can't be told
+                self.stop()
+        self._wishes.shut_out = on
+
     def leave(self) -> None:
-        """It hung up: its motion is finished, a drive ends, and its control is given back then."""
-        if self._drive.due is not None or any(task.holder == self.name_of_lease for task in self._station.state.tasks):
+        """It hung up: its motion is finished; a drive and a pursuit end; its control is given back then."""
+        has_task = any(task.holder == self.name_of_lease for task in self._station.state.tasks)
+        if self._drive.due is not None or self._wishes.pursuit.follows or has_task:
             self._station.submit(EndMotion(self.name_of_lease))
         self._drive.end()
         self._shared.left(self, self._wishes.motion)
@@ -173,11 +182,12 @@ class ClientRotor:
         role = ClientRole.WATCHES
         if wishes.has_control:
             role = ClientRole.CONTROL
-        elif wishes.why and wishes.wish is not None:
+        elif wishes.shut_out or (wishes.why and wishes.wish is not None):
             role = ClientRole.IGNORED
         return ClientView(
             self.name_of_lease, role, wishes.wish, wishes.at, wishes.ignored, wishes.why, self._told, wishes.waits,
-            stale=self._shared.seen.is_held_over(now), lead_s=wishes.lead_s,
+            stale=self._shared.seen.is_held_over(now), shut_out=wishes.shut_out, lead_s=wishes.lead_s,
+            following=wishes.pursuit.following,
         )  # fmt: skip
 
     @property

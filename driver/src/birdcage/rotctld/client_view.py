@@ -37,6 +37,17 @@ class WishedDirection:
 
 
 @dataclass(frozen=True, slots=True)
+class Following:
+    """A satellite that a client wishes for, and the dish follows by a plan of its own."""
+
+    name: str
+    error_deg: float | None
+    """How far off the dish was, RMS on the sky; None before it was looked at on the target."""
+    steps_deg: float
+    """How far off a dish was that went by the client's own steps, RMS on the sky."""
+
+
+@dataclass(frozen=True, slots=True)
 class ClientView:
     """One client at one moment."""
 
@@ -57,8 +68,12 @@ class ClientView:
     """Whether its wish waits for the link to come back."""
     stale: bool
     """Whether it is told the last position, of a dish that is out of sight."""
+    shut_out: bool = False
+    """Whether a person has its wishes ignored."""
     lead_s: float | None = None
     """By how much the dish leads its wishes, which are a stream, in seconds; None while they are sent as they are.
 
     Less than 0 on trial: the dish follows, and it is not known yet whether the wishes themselves lead.
     """
+    following: Following | None = None
+    """The satellite that the dish follows by a plan of its own, as the wishes agree with it; None for none."""

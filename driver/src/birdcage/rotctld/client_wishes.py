@@ -24,6 +24,7 @@ log = logging.getLogger("birdcage.rotctld")
 
 REPORT_S = 60.0
 """How often it is told of one client at most that its wishes are not carried out."""
+SHUT_OUT = "A person has its wishes ignored."
 READ_ONLY = "This server is read-only: clients look, and move nothing."
 
 
@@ -53,6 +54,8 @@ class ClientWishes:
         """Since when the dish is held for a lost link that this client's wish was seen not to end."""
         self._report_at = 0.0
         """When it may be told next that its wishes are ignored."""
+        self.shut_out = False
+        """Whether a person has its wishes ignored."""
         self.ignored = 0
         """How many wishes were not carried out."""
         self.why = ""
@@ -91,8 +94,6 @@ class ClientWishes:
             self.end_stream()
             self._ask(wish, wish)
         elif self.pursuit.covers(wish, now):
-            self._smoother.end()
-            self._asked = self._asked_for = self._aim = None
             self.why = ""
         else:
             self._ask(wish, self._smoother.take(wish, now))
@@ -144,6 +145,8 @@ class ClientWishes:
         `resumes`: whether the wish may let go of HELD after a short loss of the link.
         """
         state = self._station.state
+        if self.shut_out:
+            return SHUT_OUT
         if state.holder not in (None, self._holder, self._shared.idle.holder, self._shared.departed_holder):
             return f"{state.holder} has control of the dish."
         if state.held is not None:
@@ -208,8 +211,11 @@ class ClientWishes:
         """Send what is due between wishes; and the one that waits for the dish, once that was seen at rest again."""
         self.hear_outcome()
         if self.pursuit.tick(now) and self.wish is not None:
-            with suppress(RotctldError):  # nobody waits for an answer; the view tells
+            with suppress(RotctldError):  # no client waits for an answer; the view tells
                 self._ask(self.wish, self.wish)
+        if self.has_control and not self._ends_smoothing() and self.pursuit.take_up():
+            self._smoother.end()
+            self._asked = self._asked_for = self._aim = None
         self._go_on(now)
         if not self.waits or self.wish is None:
             return

@@ -15,6 +15,7 @@ from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.rotctld.listening import listen
 from birdcage.rotctld.options import options_from
+from birdcage.rotctld.recogniser import Recogniser
 from birdcage.rotctld.server import RotctldService
 from birdcage.station.build import open_session
 from birdcage.station.control_client import owners_folder
@@ -35,7 +36,8 @@ class RotctldServer:
     def __init__(self, antenna: BirdcageAntenna, host: str = "127.0.0.1", port: int = 4533) -> None:
         """Listen from now on; port 0 is any free one. ConfigError where that can't be done."""
         self._paths = Paths.default()
-        self._settings = load(self._paths.config_file, flags={"rotctld.host": host, "rotctld.port": port})
+        flags = {"rotctld.host": host, "rotctld.port": port}
+        self._settings = load(self._paths.config_file, flags=flags)
         self._listener = listen(host, port)
         config = antenna.config
         self._session = open_session(
@@ -45,8 +47,12 @@ class RotctldServer:
         )  # fmt: skip
         station = self._session.station
         options = replace(options_from(self._settings), leapfrog=config.leapfrog_enabled)
+        recogniser = Recogniser(
+            self._session.clock, self._paths, lambda: load(self._paths.config_file, flags=flags),
+            on=self._settings.rotctld.recognise,
+        )  # fmt: skip
         self._service = RotctldService(
-            station, self._listener, self._settings.rotctld, options, show=station.show_network
+            station, self._listener, self._settings.rotctld, options, show=station.show_network, recogniser=recogniser
         )
 
     @property

@@ -53,7 +53,7 @@ class Recogniser:
         """Whether satellites are looked for, and followed."""
         self.lacks = ""
         """What is missing for that, in a few words; empty for nothing."""
-        self._jobs: SimpleQueue[Callable[[], None] | None] = SimpleQueue()
+        self._jobs: SimpleQueue[Callable[[], object] | None] = SimpleQueue()
         self._thread: threading.Thread | None = None
         self._look_at = float("-inf")
         self._seen: tuple[object, ...] | None = None
@@ -76,7 +76,7 @@ class Recogniser:
         """End the thread once it has done what it is at. Any thread."""
         self._jobs.put(None)
 
-    def _put(self, job: Callable[[], None]) -> None:
+    def _put(self, job: Callable[[], object]) -> None:
         self._jobs.put(job)
         if self._threads and self._thread is None:
             self._thread = threading.Thread(target=self._run, name="recogniser", daemon=True)
@@ -145,9 +145,7 @@ class Recogniser:
             return None
         return self._fleet
 
-    def _planned(
-        self, found: RecognisedSatellite, observer: Observer, state: StationState
-    ) -> FollowedSatellite | None:
+    def _planned(self, found: RecognisedSatellite, observer: Observer, state: StationState) -> FollowedSatellite | None:
         """Return the satellite with a plan for the dish as it stands; None where it comes into no reach."""
         from birdcage.pursuit.choosing import choice_of, listen_at
         from birdcage.pursuit.circumstances import Circumstances

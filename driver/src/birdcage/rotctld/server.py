@@ -21,6 +21,7 @@ from birdcage.rotctld.client_rotor import ClientRotor
 from birdcage.rotctld.client_view import ClientRole
 from birdcage.rotctld.listening import is_allowed
 from birdcage.rotctld.options import RotctldOptions
+from birdcage.rotctld.recogniser import Recogniser
 from birdcage.rotctld.rprt import RotctldError
 from birdcage.rotctld.served_client import ClientLimits, HangUp, ServedClient
 from birdcage.rotctld.session_recorder import SessionRecorder
@@ -50,6 +51,9 @@ END_S = 2.0
 """How long `shutdown` waits for the serving thread."""
 SWITCH_S = 0.001
 """How long another thread of this program may keep the interpreter while a client waits."""
+
+THROUGH = "another program has the dish"
+"""What a server lacks that has no recogniser: it would have to follow by a plan of its own."""
 
 log = logging.getLogger(__name__)
 
@@ -86,17 +90,19 @@ class RotctldService:
         show: Callable[[NetworkState | None], object] = lambda _state: None,
         tell: Callable[[ClientNews], object] = lambda _news: None,
         recorder: SessionRecorder | None = None,
+        recogniser: Recogniser | None = None,
     ) -> None:
         """Serve those who connect to `listener` (`listening.listen`), which is closed in the end.
 
-        `recorder` keeps what is said; who made it closes it.
+        `recorder` keeps what is said; who made it closes it. `recogniser` is closed in the end.
         """
         self._recorder = recorder
         self._listener, self._settings = listener, settings
         self._host, self._port = listener.getsockname()[:2]
         self._show, self._tell = show, tell
         self._clock = station.clock
-        self._dish = SharedDish(station, options)
+        self._recogniser = recogniser
+        self._dish = SharedDish(station, options, recogniser)
         self._networks = settings.networks
         self._limits = ClientLimits(settings.commands_per_s, settings.unread_s)
         self._served: dict[int, _Served] = {}
@@ -108,8 +114,8 @@ class RotctldService:
         self._wake = Wake()
         self._done: deque[int] = deque()
         """Numbers of the clients whose answer has come, from any thread."""
-        self._unwanted: deque[int] = deque()
-        """Numbers of the clients that a person does not want, from any thread."""
+        self._wanted: deque[Callable[[], object]] = deque()
+        """What a person wants done, from any thread."""
         self._accepts_at: float | None = None
         self._publish_at = self._look_at = self._clock.monotonic()
         self._stirred = True
@@ -156,7 +162,20 @@ class RotctldService:
 
     def hang_up(self, number: int) -> None:
         """End the connection of a client (`NetworkClient.number`); its motion finishes. Any thread."""
-        self._unwanted.append(number)
+        self._want(lambda: self._hang_up(number, HangUp.UNWANTED) if number in self._served else None)
+
+    def shut_out(self, number: int, *, on: bool) -> None:
+        """Ignore the wishes of a client, and end what it moves; or take them again. Any thread."""
+        self._want(lambda: self._served[number].rotor.shut_out(on=on) if number in self._served else None)
+
+    def recognise(self, *, on: bool) -> None:
+        """Recognise which satellites clients follow, where this server can; or go by their own steps. Any thread."""
+        if self._recogniser is not None:
+            self._recogniser.on = on
+            self._want(lambda: None)
+
+    def _want(self, done: Callable[[], object]) -> None:
+        self._wanted.append(done)
         self._wake.set()
 
     def wait(self, longest_s: float) -> bool:
@@ -171,9 +190,9 @@ class RotctldService:
             key.data(mask)
         while self._done:
             self._serve(self._done.popleft(), ServedClient.resume)
-        while self._unwanted:
-            if (number := self._unwanted.popleft()) in self._served:
-                self._hang_up(number, HangUp.UNWANTED)
+        while self._wanted:
+            self._stirred, self._dish_due = True, self._clock.monotonic()
+            self._wanted.popleft()()
         self._publish(self._clock.monotonic())
 
     def _run(self) -> None:
@@ -344,6 +363,8 @@ class RotctldService:
         state = NetworkState(
             self._host, self._port, self._settings.read_only, self._settings.strict,
             tuple(record.view(wishes[record.name], most) for record in records), self._turned_away,
+            recognises=self._recogniser is not None and self._recogniser.on,
+            recognises_why_not=THROUGH if self._recogniser is None else self._recogniser.lacks,
         )  # fmt: skip
         if state != self._shown:
             self._shown = state
@@ -360,6 +381,8 @@ class RotctldService:
         with contextlib.suppress(KeyError, ValueError):
             self._selector.unregister(self._listener)
         self._listener.close()
+        if self._recogniser is not None:
+            self._recogniser.close()
         self._selector.close()
         self._wake.close()
         self._show(None)

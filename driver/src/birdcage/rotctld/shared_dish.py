@@ -9,6 +9,7 @@ from birdcage.rotctld.client_rotor import SETTLE_S, ClientRotor
 from birdcage.rotctld.client_view import ClientView, WishedDirection
 from birdcage.rotctld.idle_park import IdlePark
 from birdcage.rotctld.options import RotctldOptions
+from birdcage.rotctld.recogniser import Recogniser
 from birdcage.rotctld.rprt import RotctldError, Rprt
 from birdcage.rotctld.seen_dish import SeenDish
 from birdcage.station.access import StationAccess
@@ -23,8 +24,9 @@ LOOK_S = 0.5
 class SharedDish:
     """One for each server; all of it for the server's thread."""
 
-    def __init__(self, station: StationAccess, options: RotctldOptions) -> None:
-        self.station, self.options = station, options
+    def __init__(self, station: StationAccess, options: RotctldOptions, recogniser: Recogniser | None = None) -> None:
+        """`recogniser`: None where satellites that clients follow are not recognised."""
+        self.station, self.options, self.recogniser = station, options, recogniser
         self.seen = SeenDish(options)
         self._clients: dict[str, ClientRotor] = {}
         self._leaving: dict[str, Future[object]] = {}
@@ -88,6 +90,8 @@ class SharedDish:
         """Do what is due by time; return when to come again, in monotonic seconds, None if nothing waits."""
         now = self.station.clock.monotonic()
         self.seen.look(self.station.state, now)
+        if self.recogniser is not None and self._clients:
+            self.recogniser.tick(now)
         for client in tuple(self._clients.values()):
             client.tick(now)
         for name, motion in tuple(self._leaving.items()):

@@ -41,7 +41,7 @@ NOW_S, NOW_DEG = 1.0, 0.4
 SPREAD_S = 1.0
 """How much the leads of such a program may differ, and what misfit and rounding make of that."""
 LATE_S = 2.6
-"""How old a direction of Gpredict's is at most when it is asked for: a tick and a round of its client (reference 2.1)."""
+"""How old a direction of Gpredict's is at most when it comes: a tick, and a round of its client (reference 2.1)."""
 FINE_S = 0.6
 """How finely Gpredict looks for the time at which the threshold is reached, and half as much again."""
 THRESHOLDS_DEG = (0.2, 15.0)
@@ -119,7 +119,7 @@ def _tell_enough(asked: Sequence[AskedDirection]) -> bool:
 def _near(
     fleet: Fleet, observer: Observer, asked: AskedDirection, offsets: Mapping[int, float]
 ) -> tuple[list[int], float]:
-    """Return the satellites that are near a direction then, and how many a square degree has in that part of the sky."""
+    """Return the satellites near a direction then, and how many a square degree has in that part of the sky."""
     _, position, velocity = fleet.states(asked.t_s, offsets)
     seen = look(observer, asked.t_s, position, velocity)
     away = np.degrees(np.arccos(np.clip(_units(seen) @ _vectors([asked])[0], -1.0, 1.0)))  # NaN is near nothing

@@ -65,6 +65,8 @@ class NetworkClient:
     """How many wishes were not carried out."""
     why: str = ""
     """Why the last of them was not, as a sentence; empty while its wishes are carried out."""
+    shut_out: bool = False
+    """Whether a person has its wishes ignored."""
     waits: bool = False
     """Whether its wish waits for the link to come back."""
     stale: bool = False
@@ -74,6 +76,12 @@ class NetworkClient:
 
     Less than 0 on trial: the dish follows, and it is not known yet whether the wishes themselves lead.
     """
+    follows: str = ""
+    """The satellite that it was recognised to follow, and that the dish follows by a plan; empty for none."""
+    follow_error_deg: float | None = None
+    """How far off the dish was by that plan, RMS on the sky; None before it was looked at on the target."""
+    steps_error_deg: float | None = None
+    """How far off the steps of its wishes would have left the dish, RMS on the sky; None while none is followed."""
     lines: tuple[NetworkLine, ...] = ()
     """The last of what was said, oldest first: up to 50, fewer where there are many clients."""
 
@@ -95,6 +103,10 @@ class NetworkState:
     """In the order in which they came."""
     turned_away: int = 0
     """How many were not let in: not in an allowed network, or too many."""
+    recognises: bool = False
+    """Whether satellites are recognised that clients follow."""
+    recognises_why_not: str = ""
+    """What is missing for that, in a few words; empty for nothing."""
     by: str = ""
     """Which attached program serves: `birdcage serve, anna (pts/3)`. Empty where the station's own program does."""
 

@@ -79,6 +79,8 @@ def network_report(network: NetworkState) -> dict[str, Told]:
         "read_only": network.read_only,
         "strict": network.strict,
         "turned_away": network.turned_away,
+        "recognises": network.recognises,
+        "recognises_why_not": network.recognises_why_not or None,
         "clients": [
             {
                 "name": client.name,
@@ -93,6 +95,10 @@ def network_report(network: NetworkState) -> dict[str, Told]:
                 "errors": client.errors,
                 "ignored": client.ignored,
                 "why_ignored": client.why or None,
+                "shut_out": client.shut_out,
+                "follows": client.follows or None,
+                "follow_error_deg": client.follow_error_deg,
+                "steps_error_deg": client.steps_error_deg,
             }
             for client in network.clients
         ],

@@ -18,6 +18,11 @@ def can_choose(context: CommandContext) -> str | None:
     return None if network.clients else "No program is connected."
 
 
+def can_recognise(context: CommandContext) -> str | None:
+    """Return why satellites can't be recognised."""
+    return "The server is off. o starts it." if context.state.network is None else None
+
+
 def can_take(context: CommandContext) -> str | None:
     """Return why control can't be taken now."""
     if context.state.held is not None:
@@ -39,5 +44,9 @@ NETWORK = (
     _network("give", ("B",), "B", "Give back", "Give control back now.", always, "give back"),
     _network("up", ("up", "k"), "↑ k", "Client above", "In the list of clients.", can_choose),
     _network("down", ("down", "j"), "↓ j", "Client below", "In the list of clients.", can_choose),
+    _network("ignore", ("i",), "i", "Ignore", "Ignore the wishes of the chosen client, or take them again.",
+             can_choose, "ignore"),
+    _network("recognise", ("r",), "r", "Recognise", "Follow what clients follow by a plan, or by their own steps.",
+             can_recognise, "recognise"),
     _network("hang-up", ("x",), "x", "Hang up", "End the connection of the chosen client.", can_choose, "hang up"),
 )  # fmt: skip

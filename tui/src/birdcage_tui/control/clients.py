@@ -8,6 +8,7 @@ from birdcage.station.network_state import NetworkClient, NetworkRole, NetworkSt
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
+from birdcage_tui.shown.track_words import plain_name
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -38,9 +39,13 @@ def state_words(client: NetworkClient, *, strict: bool) -> str:
     """Return what becomes of its wishes."""
     if client.stale:
         return "is told the last position: no link"
+    if client.shut_out:
+        return f"ignored by a person, told RPRT {-9 if strict else 0}. i ends that"
     if client.role is NetworkRole.CONTROL:
         if client.waits:
             return "control, waits for the link"
+        if client.follows:
+            return f"control, follows {plain_name(client.follows)}"
         if client.lead_s is None:
             return "control"
         return "control, smoothed" + (f", {client.lead_s:.1f} s ahead" if client.lead_s > 0.0 else " on trial")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import cast
 
-from birdcage.station.network_state import NetworkState
+from birdcage.station.network_state import NetworkClient, NetworkState
 from birdcage.station.requests import AcquireLease, ReleaseLease
 from birdcage.station.state import StationState
 from textual.app import ComposeResult
@@ -75,8 +75,29 @@ def now_rows(view: View) -> list[Row]:
         found.append(("Unattended", "warn", state.not_now))
     if state.network is not None:
         found.append(("Server", "text", _served(state.network, view)))
+        found += [("Recognised", "text", _followed(client)) for client in state.network.clients if client.follows]
+        if not any(client.follows for client in state.network.clients):
+            found.append(("Satellites", "dim", _recognises(state.network, view)))
     found.append(("Port", "text", through(state.port.split("?")[0] or "--", view)))
     return found
+
+
+def _followed(client: NetworkClient) -> str:
+    """Return which satellite a client follows, how well the dish does, and how well it would by the client's steps."""
+    error = "" if client.follow_error_deg is None else f": {client.follow_error_deg:.2f}°"
+    steps = client.steps_error_deg
+    would = "" if steps is None else f"; its own steps would leave {steps:.2f}°"
+    return f"{client.program or client.name} follows {plain_name(client.follows)}{error}{would}."
+
+
+def _recognises(network: NetworkState, view: View) -> str:
+    """Return whether satellites are recognised that clients follow, or why not."""
+    own = not network.by and not view.via
+    if network.recognises_why_not:
+        return f"not recognised: {network.recognises_why_not}."
+    if network.recognises:
+        return "recognised by what programs ask for." + " r goes by their own steps." * own
+    return "not recognised: programs' own steps count." + " r changes that." * own
 
 
 def _named(state: StationState, holder: str) -> str:
@@ -232,16 +253,30 @@ class NetworkPane(Vertical):
                 host.ask(ReleaseLease(YOU))
             case "network-up" | "network-down":
                 clients.move(state.network, 1 if command == "network-down" else -1)
-            case "network-hang-up":
-                chosen = clients.client(state.network)
-                if host.network is None:
-                    host.say(_elsewhere(host.view()))
-                elif state.network is not None and state.network.by:
-                    host.say(f"{state.network.by} runs that server. Only that program ends its connections.")
-                elif chosen is not None:
-                    host.network.hang_up(chosen.number)
-                    host.say(f"Hung up on {chosen.label}. It may connect again.")
+            case "network-hang-up" | "network-ignore" | "network-recognise":
+                host.say(self._with_server(command, host, state.network, clients.client(state.network)))
             case _:
                 return False
         host.paint()
         return True
+
+    @staticmethod
+    def _with_server(command: str, host: AppHost, network: NetworkState | None, chosen: NetworkClient | None) -> str:
+        """Do what only the program does that runs the server; return what was done, or why not."""
+        server = host.network
+        if server is None or network is None:
+            return _elsewhere(host.view())
+        if network.by:
+            return f"{network.by} runs that server. Only that program changes it."
+        if command == "network-recognise":
+            server.recognise(on=not network.recognises)
+            return ("Programs' own steps count. No satellite is recognised." if network.recognises
+                    else "Satellites that programs follow are recognised.")  # fmt: skip
+        if chosen is None:
+            return "No program is connected."
+        if command == "network-hang-up":
+            server.hang_up(chosen.number)
+            return f"Hung up on {chosen.label}. It may connect again."
+        server.shut_out(chosen.number, on=not chosen.shut_out)
+        return (f"{chosen.label} may move the dish again." if chosen.shut_out
+                else f"Wishes of {chosen.label} are ignored from now on.")  # fmt: skip

@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Protocol
 from birdcage.base.errors import ConfigError
 
 if TYPE_CHECKING:
+    from birdcage.base.clock import Clock
     from birdcage.base.config import Settings
+    from birdcage.base.paths import Paths
     from birdcage.rotctld.server import RotctldService
     from birdcage.station.station import Station
 
@@ -29,6 +31,12 @@ class NetworkSource(Protocol):
     def hang_up(self, number: int) -> None:
         """End the connection of a client (`NetworkClient.number`)."""
 
+    def shut_out(self, number: int, *, on: bool) -> None:
+        """Ignore the wishes of a client, and end what it moves; or take them again."""
+
+    def recognise(self, *, on: bool) -> None:
+        """Recognise which satellites clients follow, or go by their own steps."""
+
     def close(self) -> None:
         """Hang up on everybody, and stop."""
 
@@ -36,9 +44,9 @@ class NetworkSource(Protocol):
 class StationNetwork(NetworkSource):
     """Serves the clients of the app's station, as `[rotctld]` of the settings says."""
 
-    def __init__(self, station: Station, load: Callable[[], Settings]) -> None:
-        """`load` reads the settings again at each start of the server."""
-        self._station, self._load = station, load
+    def __init__(self, station: Station, clock: Clock, paths: Paths, load: Callable[[], Settings]) -> None:
+        """`load` reads the settings again at each start of the server, and as satellites are recognised."""
+        self._station, self._clock, self._paths, self._load = station, clock, paths, load
         self._service: RotctldService | None = None
 
     @property
@@ -53,6 +61,7 @@ class StationNetwork(NetworkSource):
             return "The server has stopped. Programs can't reach the dish."
         from birdcage.rotctld.listening import listen, wide_warning
         from birdcage.rotctld.options import options_from
+        from birdcage.rotctld.recogniser import Recogniser
         from birdcage.rotctld.server import RotctldService
 
         self.close()
@@ -64,7 +73,10 @@ class StationNetwork(NetworkSource):
             self._station.warn(WARNING, str(error))
             return str(error)
         station = self._station
-        service = RotctldService(station, listener, own, options_from(settings), show=station.show_network)
+        recogniser = Recogniser(self._clock, self._paths, self._load, on=own.recognise)
+        service = RotctldService(
+            station, listener, own, options_from(settings), show=station.show_network, recogniser=recogniser
+        )
         self._service = service
         host, port = service.address
         warning = wide_warning(host, port, own.networks, read_only=own.read_only)
@@ -76,6 +88,16 @@ class StationNetwork(NetworkSource):
         """End the connection of a client."""
         if self._service is not None:
             self._service.hang_up(number)
+
+    def shut_out(self, number: int, *, on: bool) -> None:
+        """Ignore the wishes of a client, or take them again."""
+        if self._service is not None:
+            self._service.shut_out(number, on=on)
+
+    def recognise(self, *, on: bool) -> None:
+        """Recognise which satellites clients follow, or not."""
+        if self._service is not None:
+            self._service.recognise(on=on)
 
     def close(self) -> None:
         """Hang up on everybody, and stop."""

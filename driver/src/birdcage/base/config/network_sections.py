@@ -47,6 +47,9 @@ class RotctldSettings(Section):
         "auto", "Follow the target of a stream of wishes, ahead by the latency. auto: of even streams; on: of uneven "
         "ones too; off: go from wish to wish.",
     )  # fmt: skip
+    recognise: bool = setting(
+        True, "Tell from its wishes which satellite a client follows, and follow that by a plan of birdcage's own."
+    )
     most_clients: int = setting(600, "How many may be connected at once.", minimum=1, maximum=700)
     commands_per_s: float = setting(
         5000.0, "How many commands of one client are answered in a second; more of them wait.",

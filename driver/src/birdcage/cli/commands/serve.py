@@ -197,14 +197,18 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
     from birdcage.cli.station_run import run_station
     from birdcage.rotctld.listening import wide_warning
     from birdcage.rotctld.options import options_from
+    from birdcage.rotctld.recogniser import Recogniser
     from birdcage.rotctld.server import RotctldService
 
     as_json, settings = flags().json, wants.settings.rotctld
     station = dish.session.station if isinstance(dish, DishSession) else None
+    recogniser = None
+    if isinstance(dish, DishSession):  # else its plans would be another program's to carry out
+        recogniser = Recogniser(dish.session.clock, wants.paths, wants.load, on=settings.recognise)
     service = RotctldService(
         dish.station, listener, settings, options_from(wants.settings),
-        show=dish.show_network,
-        tell=lambda news: _tell(news, dish if as_json else None), recorder=recorder,
+        show=dish.show_network, tell=lambda news: _tell(news, dish if as_json else None),
+        recorder=recorder, recogniser=recogniser,
     )  # fmt: skip
     host, port = service.address
     if as_json:
