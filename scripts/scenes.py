@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 
-from network_clients import programs
+from network_clients import Gpredict, programs
 from stage import Stage
 
 SIZE = (120, 36)
@@ -119,18 +119,20 @@ async def world(on: Stage) -> None:
 
 
 async def network(on: Stage) -> None:
-    """Gpredict leads the dish, SatDump would too, SatNOGS watches."""
+    """Gpredict's satellite is recognised; SatDump would have the dish too, SatNOGS watches."""
     await on.wait(9)
     await on.press("f2", "N")
-    with programs(on, 45806, 45812, 45820) as (gpredict, satdump, satnogs):
+    with programs(on, 45806, 45812, 45820) as (first, satdump, satnogs):
         satnogs.ask("\\dump_state")
-        for second in range(24):
-            gpredict.ask(f"P {171.2 + 0.9 * second:.2f} {38.4 + 0.4 * second:.2f}")
+        gpredict = Gpredict(first)
+        gpredict.read()
+        for second in range(60):
+            gpredict.wish(on.app.session.clock.utc().timestamp())
             await on.wait(0.1)
-            gpredict.ask("p")
+            gpredict.read()
             await on.wait(0.4)
             satdump.ask("p")
-            satdump.ask(f"P {172.0 + 0.9 * second:.2f} {38.6 + 0.4 * second:.2f}")
+            satdump.ask(f"P {172.0 + 0.3 * second:.2f} {38.6 + 0.2 * second:.2f}")
             if second % 3 == 0:
                 satnogs.ask("p")
             await on.wait(0.5)
@@ -139,7 +141,7 @@ async def network(on: Stage) -> None:
 SCENES = (
     Scene("tui-dashboard", dashboard, ("FOLLOWING LEO 1", "error 0.", "LOS", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
-    Scene("tui-network", network, ("Gpredict", "SatDump", "ignored 2", "watches", "RPRT 0")),
+    Scene("tui-network", network, ("Gpredict follows LEO 1", "SatDump", "ignored 59", "watches", "RPRT 0")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),

@@ -57,8 +57,8 @@ def rows_of(app: BirdcageApp) -> Rows:
 class Stage:
     """One app, its dish, and the keys pressed on it."""
 
-    def __init__(self, app: BirdcageApp, pilot: Pilot[None]) -> None:
-        self.app, self.pilot = app, pilot
+    def __init__(self, app: BirdcageApp, pilot: Pilot[None], paths: Paths) -> None:
+        self.app, self.pilot, self.paths = app, pilot, paths
 
     async def wait(self, seconds: float) -> None:
         """Let so much time of the dish pass."""
@@ -136,6 +136,6 @@ async def demo(
         )
         app = BirdcageApp(session, settings)
         async with app.run_test(size=size) as pilot:
-            yield Stage(app, pilot)
+            yield Stage(app, pilot, paths)
         session.close()
         await asyncio.sleep(0)

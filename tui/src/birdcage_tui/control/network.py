@@ -68,7 +68,7 @@ def now_rows(view: View) -> list[Row]:
         found.append(("Held", "warn", f"by {by}{since}.{ignored} Enter releases it: {after_release(view)}."))
     if pursuit is not None:
         told = "  ".join(filter(None, (plain_name(pursuit.plan.aim.name), live_words(view))))
-        found.append(("Following", "text", f"{told}, for {pursuit.holder}."))
+        found.append(("Following", "text", f"{told}, for {_named(state, pursuit.holder)}."))
         if coming := next_words(view):
             found.append(("", "dim", f"{coming[:1].upper()}{coming[1:]}."))
     if state.not_now:
