@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import re
 import socket
 import subprocess
 import sys
@@ -94,6 +95,19 @@ def start():
         if process.poll() is None:
             process.kill()
         process.communicate()
+
+
+@pytest.fixture
+def serve(start, pty_dish):
+    """Start `birdcage serve` at the dish on a port that the system chooses; return the process and that port."""
+
+    def serve(*words):
+        process = start("serve", "--port", pty_dish.path, "--firmware", "g2", "--listen-port", 0, *words)
+        while not (found := re.search(r"Listening on \S+ port (\d+)", process.stderr.readline())):
+            assert process.poll() is None
+        return process, int(found[1])
+
+    return serve
 
 
 @pytest.fixture

@@ -13,19 +13,6 @@ import pytest
 
 
 @pytest.fixture
-def serve(start, pty_dish):
-    """Start it at the dish on a port that the system chooses; return the process and that port."""
-
-    def serve(*words):
-        process = start("serve", "--port", pty_dish.path, "--firmware", "g2", "--listen-port", 0, *words)
-        while not (found := re.search(r"Listening on \S+ port (\d+)", process.stderr.readline())):
-            assert process.poll() is None
-        return process, int(found[1])
-
-    return serve
-
-
-@pytest.fixture
 def rotctl():
     """Run Hamlib's own client for one command."""
     if shutil.which("rotctl") is None:

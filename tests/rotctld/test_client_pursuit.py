@@ -236,6 +236,43 @@ def test_a_satellite_that_is_in_no_catalogue_is_followed_by_the_clients_own_wish
     assert bench.off(others[0]) < 8.0
 
 
+def almost(bench):
+    """Have Gpredict follow until a satellite was recognised that is not yet followed."""
+    answers = bench.client._wishes.pursuit._answers
+    bench.to_pass(bench.orbits[0], 20.0)
+    for _ in range(300):
+        bench.gpredict(bench.orbits[0], 0.9)
+        bench.client.set_position(*bench.look(bench.orbits[0], 3.0))
+        bench.recogniser.step()
+        if any(found is not None for _, found in answers):
+            return
+    raise AssertionError("nothing was recognised")
+
+
+def test_a_satellite_that_is_told_after_the_client_went_over_to_something_else_is_not_followed(bench):
+    almost(bench)
+    bench.client.set_position(200.0, 60.0)
+    bench.run(40.0)
+    assert phase(bench) is None
+    assert round(bench.device.truth().az_deg % 360.0) == 200
+
+
+def test_nor_is_one_that_is_told_after_its_stop(bench):
+    almost(bench)
+    bench.client.stop()
+    bench.run(1.0)
+    bench.client.set_position(*bench.look(bench.orbits[0]))
+    bench.run(5.0)
+    assert phase(bench) is None
+
+
+def test_nor_is_one_while_another_has_control(bench):
+    almost(bench)
+    bench.station.submit(AcquireLease("you", take_over=True))
+    bench.run(5.0)
+    assert phase(bench) is None
+
+
 @pytest.mark.parametrize(
     ("more", "lacks"), [({"settings": Settings()}, NO_PLACE), ({"catalogue": ()}, NO_CATALOGUE)], ids=["place", "sets"]
 )

@@ -112,4 +112,5 @@ def _of_network(client: dict[str, Any]) -> str:
     """Return a network client in words: `Gpredict (rotctld 1) 127.0.0.1:51234 has control`."""
     name = f"{client['program']} ({client['name']})" if client["program"] else client["name"]
     does = {"control": "has control", "ignored": "is ignored", "watches": "watches"}[client["role"]]
-    return f"{name} {client['address']} {does}"
+    follows = f", follows {client['follows']}" if client["follows"] else ""
+    return f"{name} {client['address']} {does}{follows}"
