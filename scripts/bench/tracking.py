@@ -1,7 +1,8 @@
 """How well a dish follows: real passes, our own simulator at the byte level through the real driver, a virtual clock.
 
 Peers run as policies on the same passes: Gpredict's at 5 and 1 degree, and a move to where the target is now once a
-second, each with and without leapfrog, and as clients of a server that smooths their wishes. Base case and second row
+second, each with and without leapfrog, and as clients of a server that smooths their wishes,
+or recognises what they follow. Base case and second row
 are in `tracking_dishes.py`; perfect elements and clock. Errors are angles on the sky against the simulator's true
 direction at 20 Hz, while the target is between floor and ceiling.
 The last line is one JSON object. `--quick` runs a tenth of the passes.
@@ -21,6 +22,7 @@ from multiprocessing import Pool
 from tracking_dishes import G2, TRAVLER_5
 from tracking_passes import everything, named, spread
 from tracking_peers import PEERS
+from tracking_recognised import RECOGNISED
 from tracking_smoothed import SMOOTHED
 from tracking_station import by_time
 from tracking_work import Score, Work, run
@@ -76,7 +78,7 @@ def main() -> None:
         groups[f"g2 worn {name}"] = [Work(case, G2.name, name, "worn") for case in some]
         groups[f"travler {name}"] = [Work(case, TRAVLER_5.name, name) for case in travler]
         groups[f"travler hard {name}"] = [Work(case, TRAVLER_5.name, name) for case in hard]
-    groups |= {f"g2 {name}": [Work(case, G2.name, name) for case in g2] for name in SMOOTHED}
+    groups |= {f"g2 {name}": [Work(case, G2.name, name) for case in g2] for name in (*SMOOTHED, *RECOGNISED)}
     scores = _run_all(groups)
     _print_all(scores, len(g2))
     with Pool(min(os.cpu_count() or 1, 4)) as pool:
@@ -129,7 +131,7 @@ def _print_all(scores: dict[str, list[Score]], passes: int) -> None:
     print(f"Carryout G2, base case\n{HEAD}\n{HEAD2}")
     _row("birdcage, fast", scores["g2"])
     _row("birdcage, velocity matched", scores["g2 velocity"])
-    for name in sorted((*PEERS, *SMOOTHED)):
+    for name in sorted((*PEERS, *SMOOTHED, *RECOGNISED)):
         _row(name, scores[f"g2 {name}"])
     print("\nCarryout G2, second row: overshoot 0.01 to 0.06°, backlash 0.06° (all but the first: every fifth pass)")
     _row("birdcage, fast", scores["g2 worn"])
@@ -204,6 +206,8 @@ def _report(scores: dict[str, list[Score]]) -> dict[str, float]:
         "time_within_1db_below_limit": _mean(score.close_limit - score.close for score in both),
         "gpredict5_median_rms_deg": median("g2 Gpredict, 5°"),
         "gpredict1_median_rms_deg": median("g2 Gpredict, 1°"),
+        "gpredict5_recognised_median_rms_deg": median("g2 Gpredict, 5°, recognised"),
+        "gpredict1_recognised_median_rms_deg": median("g2 Gpredict, 1°, recognised"),
         "move_to_now_median_rms_deg": median("g2 move to now, 1 Hz"),
         "robust_median_rms_deg": median("g2 robust known"),
         "robust_ratio": _median(score.rms / score.unforeseen for score in scores["g2 robust known"]),

@@ -22,6 +22,7 @@ from birdcage.tracking.steering.velocity import velocity
 from tracking_dishes import G2, IDEAL, PLAY, ROBUST, SHAKEN, TRAVLER_5, WORN, Dish
 from tracking_passes import Case
 from tracking_peers import PEERS
+from tracking_recognised import RECOGNISED
 from tracking_runner import DELAY_S, EARLY_S, Bench, Order
 from tracking_smoothed import SMOOTHED
 
@@ -120,6 +121,8 @@ def run(work: Work) -> Score:
         bench.at = course.at(begin_s)
         if ours:
             bench.follow(OURS[work.policy](), course, begin_s, end_s, LEADS_S[work.policy] if rewind is None else 0.0)
+        elif work.policy in RECOGNISED:
+            bench.follow(RECOGNISED[work.policy](work.case, course), plan.sky, begin_s, end_s)
         else:
             bench.follow((PEERS | SMOOTHED)[work.policy](), plan.sky, begin_s, end_s)
     return _score(work, dish, plan, true, bench)

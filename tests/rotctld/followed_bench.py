@@ -26,10 +26,10 @@ PLACE = PlaceSettings(latitude_deg=HERE.latitude_deg, longitude_deg=HERE.longitu
 class FollowedBench(Bench):
     """The server's side of a dish, without sockets; one thread, a virtual clock."""
 
-    def __init__(self, folder, settings=None, catalogue=None, *, on=True, station=None, **options):
+    def __init__(self, folder, settings=None, catalogue=None, *, on=True, station=None, soon=SOON, **options):
         super().__init__("g2?seed=1", station or {})
         self.paths, self.settings = Paths.in_folder(folder), settings or Settings(place=PLACE)
-        self.orbits = demo_orbits(self.clock.utc() + SOON, HERE)  # of which the first one rises, and crosses north
+        self.orbits = demo_orbits(self.clock.utc() + soon, HERE)  # of which the first one rises, and crosses north
         kept = self.orbits if catalogue is None else catalogue
         if kept:
             with Catalogue(self.paths.catalogue) as sets:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import timedelta
 
 import pytest
 from birdcage.base.config import Settings
@@ -12,10 +13,12 @@ from birdcage.rotctld import recogniser
 from birdcage.rotctld.client_view import ClientRole
 from birdcage.rotctld.recogniser import NO_CATALOGUE, NO_PLACE
 from birdcage.rotctld.rotor import MoveDirection
+from birdcage.rotctld.rprt import Rprt
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import AcquireLease, Goto, Pursue, Release, ReleaseLease
 
 from .followed_bench import PLACE, FollowedBench
+from .shared_bench import code_of
 
 FOLLOWED_DEG = 0.2
 """So near a dish is that follows by a plan, and so far none that goes by steps of a degree and more."""
@@ -64,6 +67,21 @@ def test_what_gpredict_follows_in_steps_the_dish_follows_closely(bench, threshol
     assert worst < FOLLOWED_DEG
     assert bench.view.following.error_deg < FOLLOWED_DEG
     assert bench.view.role is ClientRole.CONTROL
+
+
+@pytest.mark.parametrize("threshold_deg", [5.0, 1.0])
+def test_gpredict_is_recognised_at_the_horizon_and_the_whole_pass_goes_by_the_plan(tmp_path, threshold_deg):
+    bench = FollowedBench(tmp_path, soon=timedelta(seconds=390.0))
+    satellite = bench.orbits[0]
+    bench.to_pass(satellite, 1.0)
+    recognised_in(bench, lambda: bench.gpredict(satellite, 2.0, threshold_deg))
+    assert bench.look(satellite)[1] < 6.0, "far below what the dish reaches"
+    assert bench.view.following.error_deg is None
+    while bench.look(satellite)[1] < 19.0:
+        bench.gpredict(satellite, 5.0, threshold_deg)
+    bench.gpredict(satellite, 10.0, threshold_deg)
+    assert phase(bench) is Phase.FOLLOWING
+    assert bench.off(satellite) < FOLLOWED_DEG
 
 
 @pytest.mark.parametrize(("threshold_deg", "every_s"), [(0.0, 1.0), (4.0, 3.0)], ids=["SatDump", "SatNOGS"])
@@ -149,7 +167,17 @@ def test_stop_of_the_client_ends_it_and_its_next_wishes_are_carried_out_as_they_
     assert round(followed.device.truth().az_deg % 360.0) == 300
 
 
-def test_park_and_a_drive_end_it_too(followed):
+def test_a_park_that_is_refused_changes_nothing(tmp_path):
+    bench = FollowedBench(tmp_path)
+    bench.to_pass(bench.orbits[0], 20.0)
+    recognised_in(bench, lambda: bench.now(bench.orbits[0], 2.0))
+    assert code_of(bench.client.park) is Rprt.ENAVAIL
+    bench.now(bench.orbits[0], 10.0)
+    assert bench.view.following is not None
+    assert bench.off(bench.orbits[0]) < FOLLOWED_DEG
+
+
+def test_park_ends_it_too(followed):
     followed.client.park()
     followed.run(40.0)
     assert phase(followed) is Phase.OVER

@@ -84,14 +84,19 @@ class ClientPursuit:
             self.end()
             return True
         if now - self._heard_at > SILENT_S or (live is not None and live.phase in (Phase.YIELDED, Phase.INTERRUPTED)):
-            self._station.submit(EndMotion(self._holder))
-            self._forget()
+            self.stop()
         return False
 
     def end(self) -> None:
         """Another motion of this client follows at once: one that the dish is in goes over into it."""
         live = self._live
         if self._satellite is not None and (live is None or live.phase in AT_REST):
+            self._station.submit(EndMotion(self._holder))
+        self._forget()
+
+    def stop(self) -> None:
+        """No motion of this client follows: end it, and let the dish come to rest."""
+        if self._satellite is not None:
             self._station.submit(EndMotion(self._holder))
         self._forget()
 

@@ -105,11 +105,11 @@ class ClientRotor:
         """
         self._refuse_read_only()
         self._drive.end()
-        self._wishes.end_stream()
         park = self._shared.park_position()
         if why := self._wishes.obstacle():
             self._wishes.note_ignored(why)
             raise RotctldError(Rprt.ERJCTED, why)
+        self._wishes.end_stream()
         self._wishes.take(park)
 
     def move(self, direction: MoveDirection, speed: int) -> None:  # noqa: ARG002 - the dish goes at its own speed

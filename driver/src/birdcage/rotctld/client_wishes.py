@@ -91,7 +91,8 @@ class ClientWishes:
             self.waits = True
             return
         if self._ends_smoothing():
-            self.end_stream()
+            self._smoother.end()
+            self.pursuit.stop()
             self._ask(wish, wish)
         elif self.pursuit.covers(wish, now):
             self.why = ""
