@@ -8,6 +8,7 @@ from datetime import timedelta
 import pytest
 from birdcage.base.config import Settings
 from birdcage.base.config.sections import MotionSettings
+from birdcage.base.config.tracking_sections import TrackingSettings
 from birdcage.base.errors import Stopped
 from birdcage.rotctld import recogniser
 from birdcage.rotctld.client_view import ClientRole
@@ -95,6 +96,7 @@ def test_and_so_it_follows_what_others_wish_for_where_it_is_now(bench, threshold
     bench.now(satellite, 30.0, threshold_deg, every_s)
     assert bench.off(satellite) < FOLLOWED_DEG
     assert len(bench.events) > moved
+    assert bench.state.pursuit.number == 1, "nothing came between"
     assert bench.view.ignored == 0
 
 
@@ -147,6 +149,15 @@ def test_the_first_wish_for_something_else_moves_the_dish_there_at_once_and_cont
     assert followed.view.following is None
     followed.run(40.0)
     assert (round(followed.device.truth().az_deg % 360.0), round(followed.device.truth().el_deg)) == (100, 60)
+
+
+def test_a_wish_further_along_its_path_than_the_threshold_is_another_one(followed):
+    there = followed.look(followed.orbits[0], 60.0)
+    followed.client.set_position(*there)
+    followed.run(20.0)
+    assert phase(followed) is Phase.OVER
+    truth = followed.device.truth()
+    assert (truth.az_deg % 360.0, truth.el_deg) == pytest.approx(there, abs=0.1)
 
 
 def test_a_wish_for_it_while_it_is_followed_is_carried_out_by_the_plan(followed):
@@ -243,15 +254,30 @@ def test_switched_off_in_mid_pass_the_last_wish_counts_again(followed):
     assert followed.view.following is None
 
 
-def test_once_the_pass_is_out_of_reach_the_clients_own_wishes_count(followed):
-    satellite = followed.orbits[0]
-    while followed.look(satellite)[1] > 16.0:
-        followed.gpredict(satellite, 10.0)
-    followed.gpredict(satellite, 30.0)
-    assert followed.view.following is None
-    assert followed.view.role is ClientRole.CONTROL
-    assert followed.state.position.el_deg == pytest.approx(18.0, abs=0.2)
-    assert phase(followed) is Phase.OVER, "it is not begun again for what is left of the pass"
+def test_once_the_pass_is_out_of_reach_the_clients_own_wishes_count_and_nothing_parks(tmp_path):
+    park = TrackingSettings(park_az_deg=120.0, park_el_deg=40.0)
+    bench = FollowedBench(tmp_path, settings=Settings(place=PLACE, tracking=park), soon=timedelta(0))
+    satellite = bench.orbits[0]
+    recognised_in(bench, lambda: bench.gpredict(satellite, 5.0))
+    while bench.look(satellite)[1] > 16.0:
+        bench.gpredict(satellite, 10.0)
+    bench.gpredict(satellite, 60.0)
+    assert bench.view.following is None
+    assert bench.view.role is ClientRole.CONTROL
+    assert bench.state.position.el_deg == pytest.approx(18.0, abs=0.2)
+    assert phase(bench) is Phase.OVER, "neither what is left of the pass, nor the next one"
+
+
+def test_what_the_dish_refuses_to_follow_is_asked_for_once(tmp_path, caplog):
+    caplog.set_level("INFO", "birdcage.rotctld")
+    bench = FollowedBench(
+        tmp_path, settings=Settings(place=PLACE, tracking=TrackingSettings(controller="velocity")), soon=timedelta(0)
+    )
+    bench.now(bench.orbits[0], 60.0)
+    assert bench.view.following is None
+    assert bench.view.role is ClientRole.CONTROL
+    assert bench.off(bench.orbits[0]) < 3.0, "it goes by the client's own wishes"
+    assert sum("is not followed" in line for line in caplog.messages) == 1
 
 
 def test_a_satellite_that_is_in_no_catalogue_is_followed_by_the_clients_own_wishes(tmp_path):
@@ -346,7 +372,7 @@ def test_a_person_has_a_client_ignored_and_its_motion_ends(followed):
     followed.run(2.0)
     assert phase(followed) is Phase.OVER
     before = followed.device.truth().az_deg
-    followed.gpredict(followed.orbits[0], 20.0)
+    assert followed.gpredict(followed.orbits[0], 40.0) > 0
     assert followed.device.truth().az_deg == pytest.approx(before, abs=0.01)
     assert (followed.view.role, followed.view.shut_out) == (ClientRole.IGNORED, True)
     followed.client.shut_out(on=False)

@@ -51,6 +51,13 @@ class Client:
         return said
 
 
+def wait_for(seen, within_s=30.0):
+    end = time.monotonic() + within_s
+    while not seen():
+        assert time.monotonic() < end
+        threading.Event().wait(0.05)
+
+
 def is_at(az_deg, el_deg):
     return lambda said: (
         "RPRT" not in said and [float(x) for x in said.split()] == pytest.approx([az_deg, el_deg], abs=0.1)
@@ -82,12 +89,10 @@ def test_an_antenna_with_leapfrog_overshoots_in_a_stream(server, leapfrog, sent,
     lines = []
     sessions[0].on_wire(lambda entry: lines.append(entry.text) if entry.direction == ">" else None)
     client.ask("P 14 45")
+    wait_for(lambda: any(line.startswith("a 0 14") for line in lines))
     threading.Event().wait(0.3)
     assert client.ask("P 20 45") == "RPRT 0\n"
-    deadline = time.monotonic() + 10.0
-    while not any(sent in line for line in lines) and time.monotonic() < deadline:
-        threading.Event().wait(0.05)
-    assert any(sent in line for line in lines), lines
+    wait_for(lambda: any(sent in line for line in lines))
 
 
 def test_a_station_that_fails_ends_serving_with_its_error(monkeypatch):

@@ -46,8 +46,8 @@ class ClientPursuit:
         self._satellite: FollowedSatellite | None = None
         self._begun: Future[object] | None = None
         """The pursuit's number, once the station has taken it on."""
-        self._done: tuple[int, datetime] | None = None
-        """The satellite and the AOS of a pass that is not to be taken up again."""
+        self._refused: tuple[int, datetime] | None = None
+        """The satellite and the AOS of a pass that the dish has refused to follow."""
 
     # Of each wish
 
@@ -76,8 +76,9 @@ class ClientPursuit:
             return False
         live = self._live
         if not self._is_live:
-            if self._is_of_no_use(self._satellite):
-                self._done = self._pass_of(self._satellite)
+            begun = self._begun
+            if begun is not None and not begun.cancelled() and isinstance(begun.exception(), MotionRefused):
+                self._refused = self._pass_of(self._satellite)
             self._forget()
             return False
         if self._recogniser is None or not self._recogniser.on:
@@ -103,7 +104,7 @@ class ClientPursuit:
     def forget(self) -> None:
         """Forget what is known of the client: it has ended what it was at. Nothing is sent."""
         self._forget()
-        self._done = None
+        self._refused = None
 
     @property
     def follows(self) -> bool:
@@ -140,7 +141,7 @@ class ClientPursuit:
             stream, answer = self._answers.popleft()
             self._asks = False
             found = answer if stream == self._stream else None
-        if found is None or self._satellite is not None or self._pass_of(found) == self._done:
+        if found is None or self._satellite is not None or self._pass_of(found) == self._refused:
             return False
         t_s, wish = self._wishes[-1]
         if not found.agrees(wish, t_s):
@@ -170,12 +171,6 @@ class ClientPursuit:
             return True
         live = self._live
         return live is not None and live.phase is not Phase.OVER
-
-    def _is_of_no_use(self, satellite: FollowedSatellite) -> bool:
-        """Return whether its pass is over, as far as it is in reach, or the dish refuses to follow it."""
-        assert self._begun is not None, "it has begun"
-        refused = not self._begun.cancelled() and isinstance(self._begun.exception(), MotionRefused)
-        return refused or self._station.clock.utc().timestamp() >= satellite.plan.legs[-1].end_s
 
     @staticmethod
     def _pass_of(satellite: FollowedSatellite) -> tuple[int, datetime] | None:

@@ -49,7 +49,7 @@ class RotctldServer:
         options = replace(options_from(self._settings), leapfrog=config.leapfrog_enabled)
         recogniser = Recogniser(
             self._session.clock, self._paths, lambda: load(self._paths.config_file, flags=flags),
-            on=self._settings.rotctld.recognise,
+            on=self._settings.rotctld.recognise and not options.leapfrog,  # that is promised for streams
         )  # fmt: skip
         self._service = RotctldService(
             station, self._listener, self._settings.rotctld, options, show=station.show_network, recogniser=recogniser

@@ -163,9 +163,11 @@ class Recogniser:
             listen_at(choice, settings, self._paths.downlinks_file)
             choice.refresh(at)
             plan = choice.plan
-            if plan is None or plan.course is None or plan.passing is None:
+            passing = None if plan is None else plan.passing
+            # Once the rest of a pass is out of reach the plan is for the next one, which the client does not follow.
+            if plan is None or plan.course is None or passing is None or not passing.aos <= now <= passing.los:
                 return None
-            until_s = plan.passing.los.timestamp() + AHEAD_S
+            until_s = passing.los.timestamp() + AHEAD_S
             path = sky_path(satellite, observer, now.timestamp() - AHEAD_S, until_s, refraction="none")
         except BirdcageError as error:
             log.info("%s is not followed: %s", satellite.name, error)
