@@ -15,7 +15,11 @@ from datetime import UTC, datetime, timedelta
 from statistics import median
 
 import pytest
+from birdcage.base.geometry import separation
+from birdcage.base.paths import Paths
 from birdcage.rotctld.recorded_session import sessions_in
+from birdcage.sky.catalogue import Catalogue
+from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.targets.model import Satellite
@@ -112,6 +116,38 @@ class GpredictWindow:
         for each in (self._program, self._screen):
             each.terminate()
             each.wait(10)
+
+
+@pytest.mark.parametrize("by_north", [False, True], ids=["south", "north"])
+def test_its_satellite_is_recognised_and_the_dish_follows_it_closely(start, run, as_json, pty_dish, tmp_path, by_north):
+    paths, target = Paths.default(), passing(
+        datetime.now(UTC), PLACE.latitude_deg + (BEYOND_DEG if by_north else -BEYOND_DEG)
+    )  # fmt: skip
+    paths.config_file.parent.mkdir(parents=True, exist_ok=True)
+    paths.config_file.write_text(
+        f"[place]\nlatitude_deg = {PLACE.latitude_deg}\nlongitude_deg = {PLACE.longitude_deg}\nheight_m = 100.0\n"
+    )
+    with Catalogue(paths.catalogue) as catalogue:
+        catalogue.add([target, *demo_orbits(datetime.now(UTC), PLACE)])
+    process = start("serve", "--port", pty_dish.path, "--firmware", "g2", "--listen-port", 0)
+    while not (found := re.search(r"Listening on \S+ port (\d+)", process.stderr.readline())):
+        assert process.poll() is None
+    window = GpredictWindow(tmp_path, target, run("serve", "--listen-port", found[1], "--print-gpredict").stdout)
+    try:
+        window.press(TRACK)
+        window.press(ENGAGE)
+        off, end = [], time.monotonic() + ENGAGED_S
+        pty_dish.wait_for_motion()
+        while time.monotonic() < end:
+            time.sleep(0.5)
+            truth, look = pty_dish.device.truth(), Satellite(target).look(PLACE, datetime.now(UTC))
+            off.append(separation(truth.az_deg % 360.0, truth.el_deg, look.az_deg, look.el_deg))
+        client = as_json(run("status", "--json", port=pty_dish.path))["network"]["clients"][0]
+    finally:
+        window.close()
+    assert (client["program"], client["follows"]) == ("Gpredict", "TEST"), (client, off)
+    assert client["follow_error_deg"] < 0.3
+    assert median(off[-40:]) < 0.3
 
 
 @pytest.mark.parametrize("by_north", [False, True], ids=["south", "north"])
