@@ -115,7 +115,11 @@ class GpredictWindow:
     def close(self):
         for each in (self._program, self._screen):
             each.terminate()
-            each.wait(10)
+            try:
+                each.wait(10)
+            except subprocess.TimeoutExpired:  # Gpredict may hang as it leaves, its window waiting for its client
+                each.kill()
+                each.wait(10)
 
 
 @pytest.mark.parametrize("by_north", [False, True], ids=["south", "north"])
