@@ -6,6 +6,7 @@ import re
 
 import pytest
 from birdcage.rotctld.conversation import ClientConversation
+from birdcage.rotctld.table import BY_LETTER, BY_LETTER_ALONE, BY_WORD
 
 from .scripted_rotor import ScriptedRotor, talk
 
@@ -65,3 +66,10 @@ def test_a_client_that_never_reads_is_obeyed():
         conversation.feed(f"P {degree} 45.0\n".encode())
     assert len(rotor.calls) == 500
     assert len(conversation.take_replies()) == 500
+
+
+@pytest.mark.parametrize("line", sorted({*BY_LETTER, *BY_LETTER_ALONE, *BY_WORD}))
+def test_a_command_alone_on_its_line_means_what_it_means_beside_a_comment(line):
+    bare, commented = ScriptedRotor(), ScriptedRotor()
+    assert talk(f"{line}\n".encode(), bare) == talk(f" {line} # by hand\n".encode(), commented)
+    assert bare.calls == commented.calls

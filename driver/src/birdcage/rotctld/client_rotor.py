@@ -44,9 +44,9 @@ class ClientRotor:
 
     def position(self) -> tuple[float, float]:
         """Return where the dish is; over a short loss of the link, where it was last seen."""
-        self._told = None
-        self._wishes.pursuit.heard(self._now)
-        here = self._shared.seen.position(self._station.state, self._now)
+        self._told, now = None, self._now
+        self._wishes.pursuit.heard(now)
+        here = self._shared.seen.position(self._station.state, now)
         self._told = here.az_deg, here.el_deg
         return self._told
 

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import re
-
 LONGEST = 1024
 """Bytes of a line. No command is a tenth as long; Hamlib's own daemon overruns its buffers at 128."""
-_END = re.compile(rb"[\r\n]")
 
 
 class CommandLines:
@@ -22,11 +19,12 @@ class CommandLines:
     def feed(self, data: bytes) -> list[bytes | None]:
         """Return the lines that `data` ends. The stream may be cut anywhere."""
         lines: list[bytes | None] = []
-        *ended, rest = _END.split(data)
+        *ended, rest = data.replace(b"\r", b"\n").split(b"\n")
         for piece in ended:
             self._take(piece, lines)
-            lines += self.finish()
-            self._skipping = False
+            if self._begun:
+                lines.append(self._begun)
+            self._begun, self._skipping = b"", False
         self._take(rest, lines)
         return lines
 

@@ -6,6 +6,7 @@ import logging
 from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import Future
+from itertools import chain
 from typing import Any
 
 from birdcage.rotctld.client_context import ClientContext
@@ -105,11 +106,9 @@ class ClientConversation:
 
     def _read(self, line: bytes | None) -> Iterator[ParsedCommand]:
         if line is None:
-            yield from self._parser.finish()
-            yield ParsedCommand(None, fault=Rprt.EINVAL)
-            return
+            return chain(self._parser.finish(), [ParsedCommand(None, fault=Rprt.EINVAL)])
         self._queued -= len(line)
-        yield from self._parser.read(line.decode("utf-8", "replace"))
+        return self._parser.read(line.decode("utf-8", "replace"))
 
     def _do(self, command: ParsedCommand) -> None:
         if command.row is None or command.fault is not None:

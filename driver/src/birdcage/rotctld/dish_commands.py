@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from birdcage.base.text import clean
 from birdcage.rotctld.arguments import direction, number
@@ -21,7 +22,12 @@ UNCHANGED = -1
 
 def get_pos(client: ClientContext, _: Sequence[str]) -> CommandResult:
     """Tell azimuth, 0 to 359.99, and elevation."""
-    az_deg, el_deg = client.rotor.position()
+    return _told(*client.rotor.position())
+
+
+@lru_cache(maxsize=8)
+def _told(az_deg: float, el_deg: float) -> CommandResult:
+    """Return a position as it is told; clients ask much more often than a dish is read."""
     # Rounded first: 359.996 is 0.00, and no zero has a sign.
     return keyed(("Azimuth", "Elevation"), f"{round(az_deg, 2) % 360.0 + 0.0:.2f}", f"{round(el_deg, 2) + 0.0:.2f}")
 

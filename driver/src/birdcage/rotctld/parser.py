@@ -13,7 +13,7 @@ from birdcage.rotctld.arguments import ArgumentShape, pair
 from birdcage.rotctld.client_context import ClientContext
 from birdcage.rotctld.command_row import CommandRow
 from birdcage.rotctld.rprt import Rprt
-from birdcage.rotctld.table import BY_LETTER, BY_LETTER_ALONE, BY_NAME, BY_WORD
+from birdcage.rotctld.table import BARE, BY_LETTER, BY_LETTER_ALONE, BY_NAME, BY_WORD
 
 SEPARATORS = frozenset(punctuation) - frozenset("\\_#")
 """What may open an extended command: Hamlib takes any punctuation but these three."""
@@ -57,6 +57,9 @@ class CommandParser:
 
         One that is unknown or has a wrong argument ends the line: where the next one would begin can't be told.
         """
+        if self._begun is None and (row := BARE.get(line)) is not None:
+            yield ParsedCommand(row)
+            return
         if not _TEXT.fullmatch(line.partition("#")[0]):  # noise, or another protocol: no letter of it counts
             yield from self.finish()
             yield ParsedCommand(None, fault=Rprt.ENIMPL)

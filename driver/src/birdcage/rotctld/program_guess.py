@@ -52,7 +52,7 @@ class ProgramGuess:
     def hear(self, command: str, at: float) -> None:
         """Take in a command, and when it came, in monotonic seconds."""
         gap_s, before = at - self._last_at, self._last
-        wish = WISH.fullmatch(command)
+        wish = None if command == "p" else WISH.fullmatch(command)
         kind = "P" if wish else command
         counts = self._counts
         if wish is not None:

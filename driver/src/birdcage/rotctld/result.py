@@ -51,8 +51,8 @@ def reply(result: CommandResult | Rprt, header: str, separator: str | None) -> b
     code = result if isinstance(result, Rprt) else Rprt.OK
     values = result if isinstance(result, CommandResult) else DONE
     if separator is None:
-        closing = [f"RPRT {code:d}"] if values.acknowledged or not values.plain else []
-        return _encoded("".join(f"{line}\n" for line in (*values.plain, *closing)))
+        closing = (f"RPRT {code:d}",) if values.acknowledged or not values.plain else ()
+        return _encoded("\n".join((*values.plain, *closing, "")))
     opening = [header] if header else []
     records = "".join(
         record if record.endswith("\n") else f"{record}{separator}" for record in (*opening, *values.extended)

@@ -26,8 +26,8 @@ class SeenDish:
         """Whether the link to a dish that was seen before is lost."""
         return self._lost_at is not None
 
-    def look(self, state: StationState, now: float) -> None:
-        """Take in what is known at a monotonic time."""
+    def look(self, state: StationState, now: float) -> Pointing | None:
+        """Take in what is known at a monotonic time; return where the dish is, as `known_position` does."""
         here = known_position(state)
         if here is not None:
             if self._lost_at is not None:
@@ -38,6 +38,7 @@ class SeenDish:
         elif self._last is not None and self._lost_at is None:
             self._lost_at = min(state.link.since, now)
             log.warning("the link is lost: clients get the last position for %.0f s", self._held_s)
+        return here
 
     @property
     def _held_s(self) -> float:
@@ -49,8 +50,7 @@ class SeenDish:
 
     def position(self, state: StationState, now: float) -> Pointing:
         """Return where the dish is. EIO where that is not known, ETIMEOUT while it does not answer."""
-        self.look(state, now)
-        here = known_position(state)
+        here = self.look(state, now)
         if here is not None:
             return here
         if self._last is not None and self.is_held_over(now):

@@ -99,6 +99,8 @@ class ServedClient:
     @property
     def due(self) -> float | None:
         """When `tick` has something to do, in monotonic seconds."""
+        if self._awaited is None and self._allowance >= 1.0 and not self._unsent:
+            return None
         moments = []
         if self._awaited is not None:
             moments.append(self._answer_by)
@@ -205,15 +207,14 @@ class ServedClient:
 
     def _send(self, data: bytes) -> int:
         """Send what the socket takes; return how much that is."""
-        self._unread_since = self._unread_since if self._unsent else self._clock.monotonic()
         try:
             sent = self.line.send(data)
         except (BlockingIOError, InterruptedError):
-            return 0
+            sent = 0
         except OSError:
             self.why = HangUp.LOST
             return len(data)
-        if sent:
+        if sent < len(data) and (sent or not self._unsent):
             self._unread_since = self._clock.monotonic()
         return sent
 

@@ -57,3 +57,5 @@ BY_NAME = {row.long: row for row in COMMANDS if row.long}
 BY_WORD = {row.long: row for row in COMMANDS if row.word}
 BY_LETTER = {row.short: row for row in COMMANDS if row.short and not row.alone}
 BY_LETTER_ALONE = {row.short: row for row in COMMANDS if row.short and row.alone}
+BARE = {typed: row for typed, row in (BY_LETTER | BY_WORD | BY_LETTER_ALONE).items() if row.alone or not row.arguments}
+"""What may be all of a line: most of what is asked is `p`."""
