@@ -76,6 +76,23 @@ async def craft(on: Stage) -> None:
     await on.wait(120)
 
 
+async def signal(on: Stage) -> None:
+    """Peaking by hand near 119° W: over it in steps of 0.5°, back to the peak, and a step up from there."""
+    await on.wait(9)
+    await on.press("f3", "g")
+    await on.type("119W")
+    await on.press("enter")
+    await on.wait(8)
+    await on.press("x", "minus")
+    for key in (*("left",) * 7, *("right",) * 14):
+        await on.press(key)
+        await on.wait(2)
+    await on.press("p", "enter")
+    await on.wait(5)
+    await on.press("up")
+    await on.wait(3)
+
+
 async def console(on: Stage) -> None:
     """Talking to the firmware over the dashboard; the last line is not sent yet, and warned of."""
     await on.wait(12)
@@ -143,6 +160,7 @@ SCENES = (
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-network", network, ("Gpredict follows LEO 1", "SatDump", "ignored 59", "watches", "RPRT 0")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
+    Scene("tui-signal", signal, ("% of the peak", "To the peak", "readings a second", "lock")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),
@@ -159,6 +177,6 @@ MOVING = MovingScene(
     size=(100, 30),
 )
 """The one at the head of the README: the dish follows a satellite, ten times as fast as it does."""
-NOT_BUILT = ("tui-signal", "tui-system", "tui-camera")
+NOT_BUILT = ("tui-system", "tui-camera")
 """Pictures of an earlier app whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")

@@ -26,8 +26,8 @@ class Meter:
     def subscribe(self, hear):
         return self.readings.add(hear)
 
-    def watch(self, watcher):
-        self.log.append(f"watch {watcher}")
+    def watch(self, watcher, *, steady=False):
+        self.log.append(f"watch {watcher}{' steadily' * steady}")
 
     def unwatch(self, watcher):
         self.log.append(f"unwatch {watcher}")
@@ -48,6 +48,19 @@ def test_only_the_source_of_the_feed_is_read_and_only_while_somebody_looks():
     assert heard == ["read for a pass"]
     assert other.log[-1] == f"unwatch {MONITOR}"
     assert monitor.facts_of("one").unit == "V"
+
+
+def test_it_is_read_steadily_while_the_signal_alone_counts_and_as_before_afterwards():
+    one, other = Meter("one"), Meter("other")
+    monitor = SignalMonitor([one, other], "one", lambda _reading: None)
+    monitor.watch(on=True)
+    monitor.watch(on=True, steady=True)
+    monitor.watch(on=True, steady=True)
+    monitor.choose("other")
+    monitor.watch(on=True)
+    monitor.watch(on=False)
+    assert one.log == [f"watch {MONITOR}", f"watch {MONITOR} steadily", f"unwatch {MONITOR}"]
+    assert other.log == [f"watch {MONITOR} steadily", f"watch {MONITOR}", f"unwatch {MONITOR}"]
 
 
 @pytest.fixture

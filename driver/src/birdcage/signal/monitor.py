@@ -14,7 +14,7 @@ class SignalMonitor:
         """`chosen` is the id of the source that the feed names: one of them."""
         self._sources = {source.facts.id: source for source in sources}
         self._chosen = self._sources[chosen]
-        self._watches = False
+        self._watches = self._steadily = False
         self._hear = hear
         self._unsubscribe = [source.subscribe(hear) for source in sources]
 
@@ -37,13 +37,17 @@ class SignalMonitor:
         before, self._chosen = self._chosen, self._sources[source]
         if self._watches and before is not self._chosen:
             before.unwatch(MONITOR)
-            self._chosen.watch(MONITOR)
+            self._chosen.watch(MONITOR, steady=self._steadily)
 
-    def watch(self, *, on: bool) -> None:
-        """Read it from now on, or no more."""
-        if on != self._watches:
-            self._watches = on
-            (self._chosen.watch if on else self._chosen.unwatch)(MONITOR)
+    def watch(self, *, on: bool, steady: bool = False) -> None:
+        """Read it from now on, `steady` as often as it can tell, or no more."""
+        if (on, steady and on) == (self._watches, self._steadily):
+            return
+        self._watches, self._steadily = on, steady and on
+        if on:
+            self._chosen.watch(MONITOR, steady=steady)
+        else:
+            self._chosen.unwatch(MONITOR)
 
     def close(self) -> None:
         """Read nothing more, and tell nothing."""

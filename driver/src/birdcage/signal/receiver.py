@@ -84,7 +84,7 @@ class ReceiverSource:
         """Tell what is known of it whenever that changes, on the receiver's thread; the result ends that."""
         return self._shown.add(show)
 
-    def watch(self, watcher: str) -> None:
+    def watch(self, watcher: str, *, steady: bool = False) -> None:  # noqa: ARG002 - it tells at a rate of its own
         """Connect, and read its level while no pass has it: without tuning it."""
         with self._lock:
             self._watchers |= {watcher}

@@ -82,8 +82,11 @@ class SignalSource(Protocol):
     def subscribe(self, hear: Hear) -> Callable[[], None]:
         """Tell every reading from now on, whoever it was taken for; the result ends that."""
 
-    def watch(self, watcher: str) -> None:
-        """Read it from now on, again and again; `watcher` is `MONITOR`, or the target that it is read for."""
+    def watch(self, watcher: str, *, steady: bool = False) -> None:
+        """Read it from now on, again and again; `watcher` is `MONITOR`, or the target that it is read for.
+
+        `steady`: as often as it can tell, at the cost of what else is read.
+        """
 
     def unwatch(self, watcher: str) -> None:
         """Read it no more for this watcher."""

@@ -18,7 +18,8 @@ TUNER = "tuner"
 FEATURE = "rssi"
 PAUSE_S = 8.5
 """It is asked every 5 s, while the dish follows every 9 s, in bursts of more than a second."""
-
+STEADY_HZ = 10.0
+"""How often it is asked where the signal alone counts; a slow wire makes that less."""
 
 TUNER_FACTS = SignalFacts(
     TUNER, "tuner", "counts", None, RSSI_READS / EXCURSION_PERIOD_S, PAUSE_S, latency_s=None, dwell_s=None,
@@ -57,11 +58,12 @@ class TunerSource:
         """Tell every reading, on the station's thread."""
         return self._readings.add(hear)
 
-    def watch(self, watcher: str) -> None:
-        """Have the station read it while the dish rests."""
+    def watch(self, watcher: str, *, steady: bool = False) -> None:
+        """Have the station read it while the dish rests: in bursts, or `STEADY_HZ` times a second."""
         with self._lock:
             self._watchers.add(watcher)
-        self._station.submit(Watch(f"{TUNER} {watcher}", frozenset({FEATURE})))
+        rate_hz = STEADY_HZ if steady else 1.0
+        self._station.submit(Watch(f"{TUNER} {watcher}", frozenset({FEATURE}), rate_hz, steady=steady))
         self._own()
 
     def unwatch(self, watcher: str) -> None:

@@ -19,6 +19,8 @@ NONSENSE = (Reason.GARBAGE, Reason.NO_ROW)
 """Reasons for which one answer is of no use: where the line is settled all the same, the dish itself answers."""
 MOVES_ON = (Activity.SLEWING, Activity.FOLLOWING, Activity.MOVING_UNASKED)
 """What a dish does while a feature may be read that costs it nothing then; homing and stowing are left alone."""
+STEADY_OTHER_S = 2.5
+"""The least time between two readings of other features, while the signal is watched steadily."""
 LINE_MOVING_S = 1.0
 """How long the line of a dish that moves is left to the motion after each line that read a feature."""
 
@@ -32,6 +34,8 @@ class FeatureWatch:
         )  # fmt: skip
         self._moving_at = -math.inf
         """When a dish that moves may be asked again."""
+        self._other_at = self._away_at = -math.inf
+        """When a steadily watched signal may wait for another feature again: of its own menu, and elsewhere."""
         self._told: set[str] = set()
         """What was told since it was last forgotten."""
 
@@ -50,6 +54,9 @@ class FeatureWatch:
         return self._due_moving() if activity in MOVES_ON else None
 
     def _due_at_rest(self, now: float) -> float | None:
+        if self._is_steady:
+            self._watches.end_excursion()
+            return self._steadily(self._watches.periods_s(self._features))[0] if self._reader.may_leave else None
         excursion, periods = self._watches.excursion, self._watches.periods_s(self._features)
         if excursion is not None:
             if any(each in periods for each in excursion.todo):
@@ -75,6 +82,9 @@ class FeatureWatch:
         now, periods = self._store.clock.monotonic(), self._watches.periods_s(self._features)
         if self._store.state.activity in MOVES_ON:
             self._read_moving(now, periods)
+            return
+        if self._is_steady:
+            self._read_steadily(now, periods)
             return
         if self._watches.excursion is None:
             self._begin(now, periods)
@@ -116,9 +126,9 @@ class FeatureWatch:
         if todo and self._fits_at(now, todo) <= now:
             self._watches.begin([each.id for each in todo], now, changes_menu=todo[0].cost.menu is not None)
 
-    def _read(self, name: str, period_s: float, now: float) -> None:
+    def _read(self, name: str, period_s: float, now: float, lines: int | None = None) -> None:
         """Read one feature. One that the dish refuses, or tells nonsense of, ends nothing but its own reading."""
-        watches, lines = self._watches, self._features[name].cost.lines
+        watches, lines = self._watches, self._features[name].cost.lines if lines is None else lines
         told: Mapping[str, Reading]
         try:
             told = self._reader.features([name])
@@ -138,6 +148,36 @@ class FeatureWatch:
         self._told |= set(told)
         at = now if name == RSSI else self._store.clock.monotonic()
         watches.was_asked(name, at, lines=lines, not_before=self._reader.not_before(name))
+
+    # While the signal is watched steadily: its menu is home, and the position is the excursion
+
+    @property
+    def _is_steady(self) -> bool:
+        """Whether the signal is read one time after the other; each reading takes as long as the wire does."""
+        return self._watches.steady_period_s is not None and RSSI in self._features
+
+    def _steadily(self, periods: Mapping[str, float]) -> tuple[float, str]:
+        """Return what is due next, and when: the signal, or at times another feature, of its own menu or elsewhere."""
+        signal_s = self._watches.steady_period_s
+        assert signal_s is not None, "it is watched steadily"
+        times = [(self._due_of(RSSI, signal_s), RSSI)]
+        for name, period_s in periods.items():
+            if name != RSSI:
+                pause_over_at = max(self._other_at, self._away_at if self._is_away(name) else -math.inf)
+                times.append((max(self._due_of(name, period_s), pause_over_at), name))
+        return min(times)
+
+    def _is_away(self, name: str) -> bool:
+        return self._features[name].cost.menu != self._features[RSSI].cost.menu
+
+    def _read_steadily(self, now: float, periods: Mapping[str, float]) -> None:
+        at, name = self._steadily(periods)
+        if at > now:
+            return
+        if name != RSSI:
+            self._other_at = now + STEADY_OTHER_S
+            self._away_at = now + EXCURSION_PERIOD_S if self._is_away(name) else self._away_at
+        self._read(name, periods[name], now, lines=0)  # its rate is its own, not the budget of a dish at rest
 
     # While it moves
 

@@ -331,12 +331,15 @@ class Watch:
 
     Features of the dish by id (`StationState.dish.features`), `position`, and `health`: all features that a machine
     marks as telling how well it is, each at its own interval. What the machine lacks is not read. `ReadingRead` and
-    `StationState.readings` tell; a signal (`rssi`) comes in short bursts, whatever the rate.
+    `StationState.readings` tell; a signal (`rssi`) comes in short bursts, whatever the rate, unless the watch is
+    steady.
     """
 
     watcher: str
     features: frozenset[str]
     rate_hz: float = 1.0
+    steady: bool = False
+    """Whether the console stays in the signal's menu while the dish rests, and leaves it for a position a second."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -70,6 +70,12 @@ class Watches:
         """Somebody looks away."""
         self._watchers.pop(watcher, None)
 
+    @property
+    def steady_period_s(self) -> float | None:
+        """How often the signal is to be read while the console stays in its menu; None where no watch is steady."""
+        rates = [watch.rate_hz for watch in self._watchers.values() if watch.steady and RSSI in watch.features]
+        return 1.0 / max(rates) if rates and max(rates) > 0 else None
+
     def period_s(self, feature: str, shortest_s: float) -> float | None:
         """Return the shortest period at which a feature is watched, at least `shortest_s`; None without a watcher."""
         rates = [watch.rate_hz for watch in self._watchers.values() if feature in watch.features]

@@ -15,14 +15,15 @@ from birdcage_tui.commands.passes import PASSES
 from birdcage_tui.commands.pocket import POCKET
 from birdcage_tui.commands.resume import RESUME
 from birdcage_tui.commands.setup import SETUP
+from birdcage_tui.commands.signal import SIGNAL
 from birdcage_tui.commands.table import Command
 from birdcage_tui.commands.track import TRACK
 
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *PASSES, *POCKET, *CONSOLE, *CALIBRATE, *SETUP, *MOTION,
-    *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *SIGNAL, *PASSES, *POCKET, *CONSOLE, *CALIBRATE, *SETUP,
+    *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage_tui.commands.table import Command
 from birdcage_tui.shown.allowed import CommandContext, can_step
 
-WHERE = ("dashboard", "control", "pocket")
+WHERE = ("dashboard", "control", "signal", "pocket")
 STEPPED = (*WHERE, "calibrate")
 STEPS_DEG = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 """What one press of a jog key may be, in degrees."""

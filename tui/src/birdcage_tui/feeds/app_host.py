@@ -11,6 +11,7 @@ from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
 from birdcage_tui.feeds.horizon_book import HorizonBook
 from birdcage_tui.feeds.network_source import NetworkSource
 from birdcage_tui.feeds.preset_book import PresetBook
+from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.feeds.sky_feed import SkyFeed
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.shown.view import View
@@ -27,6 +28,8 @@ class AppHost(Protocol):
     """What is known of the sky, and how to ask for more."""
     track: TrackFeed
     """The pursuit desk, and what it has told."""
+    signals: SignalFeed
+    """What sources of a signal have told."""
     calibrate: CalibrateFeed
     """The guide of the calibration, and what it has told."""
     network: NetworkSource | None

@@ -12,8 +12,8 @@ from birdcage.station.access import FaceStation
 
 from birdcage_tui.shown.signal_book import SignalBook
 
-SIGNAL = "signal"
-"""What a page names that shows it."""
+SIGNAL, STEADY = "signal", "signal steadily"
+"""What a page names that shows it; the second where the signal alone counts."""
 
 
 class SignalSources(Protocol):
@@ -61,8 +61,8 @@ class SignalFeed:
         if self._monitor is not None:
             self._take_feed(self._monitor)
             asked = not (typing and self._monitor.chosen.facts.of_dish)
-            self._monitor.watch(on=asked and SIGNAL in shown)
-        return shown - {SIGNAL}
+            self._monitor.watch(on=asked and not shown.isdisjoint({SIGNAL, STEADY}), steady=STEADY in shown)
+        return shown - {SIGNAL, STEADY}
 
     def close(self) -> None:
         """Read nothing more."""

@@ -12,11 +12,6 @@ from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.pane import Pane
 
 WILL = {
-    "signal": (
-        "A strip chart over the full width, lock and SNR, the peak marked.",
-        "Sweeps with true axes and a fitted peak.",
-        "A sky map in degrees that fills in while it runs.",
-    ),
     "system": (
         "Each value with its unit, age and the command it came from.",
         "Changes shown as a difference before anything is written.",
@@ -29,7 +24,6 @@ WILL = {
     ),
 }
 MEANWHILE = {
-    "signal": "Until then: the dashboard (1) shows the signal as a strip.",
     "system": "Until then: the dashboard (1) shows health, limits and firmware.",
     "camera": "Until then: `birdcage log` keeps what was followed when, and how well.",
     "motor": "Until then: the control page (2) moves the dish, and keeps directions as presets.",

@@ -11,6 +11,7 @@ MADE = {
     "setup": ("birdcage_tui.pages.setup", "SetupPage"),
     "dashboard": ("birdcage_tui.pages.dashboard", "DashboardPage"),
     "control": ("birdcage_tui.pages.control", "ControlPage"),
+    "signal": ("birdcage_tui.pages.signal", "SignalPage"),
     "passes": ("birdcage_tui.pages.passes", "PassesPage"),
     "calibrate": ("birdcage_tui.pages.calibrate", "CalibratePage"),
 }

@@ -110,7 +110,7 @@ class SignalPane(Pane):
             cells.put(1, 0, f"{'--':>5} {view.heard.unit}", "dim")
             cells.right(cells.width - 1, 0, source, "dim")
             top, ink = 1, "warn" if view.signal_trouble else "dim"
-        for row, line in enumerate(wrap(_why_empty(view), max(cells.width - 2, 10)), top):
+        for row, line in enumerate(wrap(why_no_signal(view), max(cells.width - 2, 10)), top):
             cells.put(1, row, line, ink)
 
 
@@ -119,7 +119,7 @@ def _is_old(view: View) -> bool:
     return view.now - view.signal[-1].at > STALE_S or (view.heard.of_dish and not view.link_up)
 
 
-def _why_empty(view: View) -> str:
+def why_no_signal(view: View) -> str:
     """Return why nothing was heard yet, in sentences."""
     if view.signal_trouble:
         return view.signal_trouble

@@ -109,6 +109,7 @@ class FrameFeeds:
             track=self.track.now,
             followed=tuple(self.track.looks),
             heard=self.signals.book.heard,
+            level=self.signals.book.level,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,

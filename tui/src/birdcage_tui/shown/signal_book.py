@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
+from birdcage.signal.peak_hold import LevelNow, PeakHold
 from birdcage.signal.source import SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER, TUNER_FACTS
 from birdcage.station.state import MOVING, LinkPhase, StationState
@@ -24,11 +25,13 @@ class SignalBook:
         """Of the source that the feed names."""
         self._facts: dict[str, SignalFacts] = {}
         self._samples: dict[str, deque[SignalSample]] = {}
+        self._holds: dict[str, PeakHold] = {}
 
     def choose(self, facts: SignalFacts) -> None:
         """Show the source of another feed, and nothing of what was heard through the one before."""
         self.chosen = facts
         self._samples.clear()
+        self._holds.clear()
 
     def of(self, facts: SignalFacts) -> deque[SignalSample]:
         """Return what a source has told, the newest last."""
@@ -37,7 +40,19 @@ class SignalBook:
 
     def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
         """Take what a source has told, and where the dish pointed then, if that is known."""
-        self.of(facts).append(SignalSample(reading.at, reading.value, *_where(reading.at, facts, state)))
+        where = _where(reading.at, facts, state)
+        self.of(facts).append(SignalSample(reading.at, reading.value, *where))
+        self._holds.setdefault(facts.id, PeakHold(facts.scale)).hear(reading.at, reading.value, *where)
+
+    def forget_peak(self) -> None:
+        """Begin anew with floor and peak of what is heard."""
+        self._holds.pop(self.heard.id, None)
+
+    @property
+    def level(self) -> LevelNow | None:
+        """How well it is heard, and where the peak was; None before the first reading."""
+        hold = self._holds.get(self.heard.id)
+        return None if hold is None else hold.now()
 
     @property
     def heard(self) -> SignalFacts:

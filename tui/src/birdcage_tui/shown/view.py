@@ -22,6 +22,7 @@ from birdcage_tui.shown.options import FrameOptions
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
     from birdcage.ready.check import Check
+    from birdcage.signal.peak_hold import LevelNow
     from birdcage.station.pursuit_state import PointingSample
 
     from birdcage_tui.shown.calibration import CalibrateNow
@@ -109,6 +110,8 @@ class View:
     """How well the dish has pointed in the pursuit under way, a look a second."""
     heard: SignalFacts = TUNER_FACTS
     """What tells `signal`, and what its values mean."""
+    level: LevelNow | None = None
+    """How well it is heard, and where the peak was; None before the first reading."""
     signal_trouble: str = ""
     """Why the source of the mounted feed tells nothing, in sentences."""
     trips: Sequence[Trip] = ()

@@ -1,0 +1,112 @@
+"""The signal watched steadily: the tuner's menu is home while the dish rests, and the position is the excursion."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+from birdcage.station.events import StopConfirmed
+from birdcage.station.requests import Goto, Jog, Unwatch, Watch
+from birdcage.station.state import Activity
+
+from .conftest import Bench
+
+POSITION_S = 1.0
+
+
+@pytest.fixture
+def steady():
+    """A bench that has been watched steadily for a while, with position."""
+    bench = Bench("g2?seed=1").connect(6.0)
+    watch(bench)
+    bench.step(10)
+    return bench
+
+
+def watch(bench, *more, rate_hz=10.0):
+    bench.station.submit(Watch("tuner monitor", frozenset({"rssi"}), rate_hz, steady=True))
+    bench.watch("position", *more, rate_hz=1.0)
+
+
+def lines_of(bench, seconds):
+    """Return what was sent in the next seconds, with its times."""
+    start = bench.clock.monotonic()
+    bench.step(seconds)
+    return [(at, line) for at, line in bench.received() if at > start]
+
+
+def test_it_is_read_nearly_as_often_as_asked_with_a_position_a_second(steady):
+    sent = lines_of(steady, 20)
+    reads = [at for at, line in sent if line.startswith("rssi")]
+    looks = [at for at, line in sent if line == "a"]
+    assert len(reads) > 20 * 6
+    assert 18 <= len(looks) <= 21
+    assert max(later - earlier for earlier, later in pairwise(looks)) < POSITION_S + 0.4
+
+
+def test_it_is_read_no_oftener_than_asked():
+    bench = Bench("g2?seed=1").connect(6.0)
+    watch(bench, rate_hz=2.0)
+    bench.step(5)
+    reads = [at for at, line in lines_of(bench, 20) if line.startswith("rssi")]
+    assert 38 <= len(reads) <= 41
+
+
+def test_only_the_menus_of_motors_and_tuner_are_visited(steady):
+    assert {line for _at, line in lines_of(steady, 10)} <= {"", "q", "mot", "dvb", "a", "rssi 10"}
+
+
+def test_what_else_is_watched_is_read_meanwhile_and_takes_little_of_it(steady):
+    steady.watch("position", "lock", "raw_rssi", rate_hz=5.0)
+    sent = lines_of(steady, 30)
+    assert len([1 for _at, line in sent if line.startswith("rssi ")]) > 30 * 6
+    assert 4 <= len([1 for _at, line in sent if line == "ls"]) <= 7
+    assert 3 <= len([1 for _at, line in sent if line == "adc"]) <= 7
+    assert {"lock", "raw_rssi", "rssi"} <= steady.state.readings.keys()
+
+
+def test_a_step_by_hand_goes_out_at_once_and_it_is_read_again_where_the_dish_has_come_to_rest(steady):
+    before = steady.clock.monotonic()
+    az_deg = steady.state.position.az_deg
+    steady.do(Jog(0.5, 0.0, "you"))
+    assert steady.clock.monotonic() - before < 1.5
+    reads = [line for _at, line in lines_of(steady, 5) if line.startswith("rssi")]
+    assert len(reads) > 20
+    assert steady.state.position.az_deg == pytest.approx(az_deg + 0.5, abs=0.1)
+
+
+def test_nothing_but_the_position_is_asked_while_the_dish_moves():
+    bench = Bench("g2?seed=1&az_speed=2").connect(6.0)
+    watch(bench)
+    bench.step(5)
+    bench.station.submit(Goto(200.0, 40.0, "you"))
+    bench.step(1)
+    assert bench.state.activity is Activity.SLEWING
+    assert {line for _at, line in lines_of(bench, 5)} == {"a"}
+
+
+def test_stop_at_rest_sends_no_target_and_it_is_read_on_while_held(steady):
+    start = steady.clock.monotonic()
+    steady.station.stop("you")
+    steady.step(5)
+    sent = [line for at, line in steady.received() if at >= start]
+    assert not [line for line in sent if line.startswith("a ")]
+    assert [event for event in steady.events if isinstance(event, StopConfirmed)]
+    assert steady.state.held is not None
+    assert len([1 for _at, line in lines_of(steady, 5) if line.startswith("rssi")]) > 20
+
+
+def test_when_nobody_watches_steadily_any_more_the_budget_of_a_dish_at_rest_holds(steady):
+    steady.station.submit(Unwatch("tuner monitor"))
+    steady.station.submit(Watch("strip", frozenset({"rssi"})))
+    steady.step(1)
+    times = [at for at, _line in lines_of(steady, 40)]
+    for first in times:
+        assert sum(first <= at < first + 10 for at in times) <= 30
+    assert len(times) > 60
+
+
+def test_readings_are_stamped_at_the_middle_of_their_dwell(steady):
+    line_at = next(at for at, line in lines_of(steady, 3) if line.startswith("rssi"))
+    told = [event.at for event in steady.events if getattr(event, "feature", "") == "rssi" and event.at > line_at]
+    assert told[0] - line_at == pytest.approx(0.05, abs=0.03)  # ten reads of 10 ms, and half of the latency

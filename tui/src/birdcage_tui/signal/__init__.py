@@ -1,0 +1,1 @@
+"""The signal page's panes, one a file."""

@@ -1,0 +1,71 @@
+"""How far it is from here to the strongest signal, and which way."""
+
+from __future__ import annotations
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.signal.peak_hold import HeardPeak
+
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.drawing.cell_text import cut, wrap
+from birdcage_tui.drawing.digits import put_big
+from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.view import View
+from birdcage_tui.signal.level import is_large, value_text
+from birdcage_tui.widgets.pane import Pane
+
+NEAR_DEG = 0.05
+"""Nearer than this no arrow points the way: gears have more play."""
+NONE_YET = "The strongest signal is kept here, with its direction."
+
+
+def turn_to(peak: HeardPeak, view: View) -> tuple[float, float] | None:
+    """Return how far azimuth, clockwise, and elevation have to turn; None where peak or position is not known."""
+    position = view.state.position
+    if position is None or view.stale or peak.az_deg is None or peak.el_deg is None:
+        return None
+    return shortest_turn(position.az_deg, peak.az_deg), peak.el_deg - position.el_deg
+
+
+class ToPeakPane(Pane):
+    """An arrow and degrees for each axis, what the peak was and when, and the keys that go there or forget it."""
+
+    HELP = "The strongest signal since x: where it was, and how far that is from here."
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "To the peak"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Draw both axes, the peak in words, and the keys."""
+        peak = None if view.level is None else view.level.peak
+        turn = None if peak is None else turn_to(peak, view)
+        across, up = (None, None) if turn is None else turn
+        large = is_large(cells)
+        y, wide = (5, 26) if large else (3, 16)
+        self._axis(cells, 1, across, "◀", "▶", large=large)
+        self._axis(cells, 1 + wide, up, "▼", "▲", large=large)
+        cells.put(3, y, "azimuth", "dim")
+        cells.put(3 + wide, y, "elevation", "dim")
+        if peak is None:
+            for row, line in enumerate(wrap(NONE_YET, max(cells.width - 2, 10)), y + 1):
+                cells.put(1, row, line, "dim")
+        else:
+            where = ""
+            if peak.az_deg is not None and peak.el_deg is not None:
+                where = f" at {peak.az_deg:.1f}° / {peak.el_deg:.1f}°"
+            words = f"{value_text(peak.value, view.heard)} {view.heard.unit}{where}, {age_text(view.now - peak.at)} ago"
+            cells.put(1, y + 1, cut(words, cells.width - 2), "text")
+        if cells.height > y + 2:
+            x = self.button(cells, 1, cells.height - 1, "signal-peak", view)
+            self.button(cells, x, cells.height - 1, "signal-forget", view)
+
+    @staticmethod
+    def _axis(cells: Cells, x: int, turn_deg: float | None, less: str, more: str, *, large: bool) -> None:
+        if turn_deg is None:
+            put_big(cells, x + 2, 0, "-.--", "dim", large=large)
+            return
+        here = abs(turn_deg) < NEAR_DEG
+        ink = "text" if here else "accent-strong"
+        cells.put(x, 2 if large else 1, "=" if here else more if turn_deg > 0.0 else less, ink)
+        text = f"{abs(turn_deg):.2f}" if abs(turn_deg) < 10.0 else f"{abs(turn_deg):.0f}"
+        put_big(cells, x + 2, 0, f"{text}°", ink, large=large)
