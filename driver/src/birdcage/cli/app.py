@@ -49,6 +49,7 @@ COMMANDS = {
     "features": "List what this dish reports, and what you can set.",
     "get": "Read features of the dish.",
     "set": "Set a feature of the dish.",
+    "rssi": "Print the signal strength, as often as it is told.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",

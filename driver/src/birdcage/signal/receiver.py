@@ -18,7 +18,7 @@ from birdcage.radio.tuning import Tuning
 from birdcage.radio.wire import Connect
 from birdcage.signal.listeners import Listeners
 from birdcage.signal.source import MONITOR, Hear, Scale, SignalFacts, SignalReading
-from birdcage.station.access import FaceStation
+from birdcage.station.access import StationAccess
 
 RECEIVER = "rigctl"
 PAUSE_S = 2.5
@@ -32,7 +32,7 @@ class ReceiverSource:
     """A pass has it from a minute before reach until its end; else it is read while somebody watches, or left alone."""
 
     def __init__(
-        self, station: FaceStation, settings: Settings, clock: Clock, *, threads: bool, connect: Connect | None = None
+        self, station: StationAccess, settings: Settings, clock: Clock, *, threads: bool, connect: Connect | None = None
     ) -> None:
         """With `threads` it has one of its own from its first use on; else `step` does what is due.
 

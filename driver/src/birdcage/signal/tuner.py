@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from birdcage.signal.listeners import Listeners
 from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalReading
-from birdcage.station.access import FaceStation
+from birdcage.station.access import StationAccess
 from birdcage.station.events import Event, PursuitChanged, ReadingRead
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Unwatch, Watch
@@ -31,7 +31,7 @@ TUNER_FACTS = SignalFacts(
 class TunerSource:
     """What the station reads of `rssi`, whoever it reads that for: a watcher at rest, or a pass."""
 
-    def __init__(self, station: FaceStation) -> None:
+    def __init__(self, station: StationAccess) -> None:
         self._station = station
         self._readings: Listeners[SignalReading] = Listeners()
         self._watchers: set[str] = set()

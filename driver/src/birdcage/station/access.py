@@ -33,9 +33,12 @@ class StationAccess(Protocol):
     def stop(self, by: str) -> None:
         """STOP: its first bytes are on their way when this returns, or the station's program was told."""
 
+    def own_signal(self, source: str, holder: str) -> None:
+        """Say who owns a signal source now: a target, or `monitor`; empty: it is free."""
+
 
 class FaceStation(StationAccess, Protocol):
-    """What the app needs beyond that: what a raw line would do, what the wire says, who reads a signal. Any thread."""
+    """What the app needs beyond that: what a raw line would do, what the wire says. Any thread."""
 
     @property
     def has_prompt(self) -> bool:
@@ -58,9 +61,6 @@ class FaceStation(StationAccess, Protocol):
 
     def commands(self, menu: str | None) -> tuple[MenuCommand, ...]:
         """Return the commands of a menu: the documented ones, and what the dish has told."""
-
-    def own_signal(self, source: str, holder: str) -> None:
-        """Say who owns a signal source now: a target, or `monitor`; empty: it is free."""
 
 
 class FaceSession(Protocol):

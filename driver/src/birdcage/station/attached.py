@@ -93,7 +93,7 @@ class AttachedStation:
         self._stops: dict[int, _OpenStop] = {}
         """STOPs that are not answered yet."""
         self._hear_wire: Callable[[WirePiece], None] | None = None
-        self._services = ServiceClient(self._ask)
+        self.services = ServiceClient(self._ask)
         self._lasting: dict[object, Request | BesideRequest] = {}
         """What lasts until it is taken back, by watcher or kind: the next program is asked for it, too."""
         self._owner: Owner | None = None
@@ -159,10 +159,8 @@ class AttachedStation:
         future.set_running_or_notify_cancel()
         return self._ask(request, future)
 
-    @property
-    def services(self) -> ServiceClient:
-        """The services of the station's program."""
-        return self._services
+    def own_signal(self, source: str, holder: str) -> None:
+        """Do nothing: the station's program says who reads a signal."""
 
     def _ask(self, request: Request | BesideRequest, future: Future[object]) -> Future[object]:
         number = next(self._numbers)
@@ -288,23 +286,23 @@ class AttachedStation:
         if kind == WIRE_PASSED:
             self._pass_wire(told)
             return None
-        if self._services.take(told):
+        if self.services.take(told):
             return None
         told = renamed(told, self._inward)
         if kind in (STATE_TOLD, STATE_CHANGED):
             is_first = self._told is None
-            self._told = self._services.with_plan(state_from_json(told, self._told or StationState()))
+            self._told = self.services.with_plan(state_from_json(told, self._told or StationState()))
             self._store.put(self._told)
             if is_first:
                 self._met.set()
                 for request in list(self._lasting.values()):
                     self._ask(request, Future())
-                self._services.join_all()
+                self.services.join_all()
                 self._tell(LinkChanged(*self._store.stamp(), self._told.link))
         else:
             event = event_from_json(told)
             if isinstance(event, PursuitChanged):
-                event = replace(event, pursuit=self._services.plans.in_pursuit(event.pursuit))
+                event = replace(event, pursuit=self.services.plans.in_pursuit(event.pursuit))
             self._tell(event)
         return None
 
@@ -337,7 +335,7 @@ class AttachedStation:
     def _detach(self, why: str) -> None:
         """Say what is so without a station: nothing is known any more, and what was asked for may be done or not."""
         self._met.clear()
-        self._services.lose()
+        self.services.lose()
         with self._lock:
             self._lines, self._told = None, None
             unanswered, self._open = self._open, {}

@@ -123,9 +123,6 @@ class AttachedFaceStation(AttachedStation):
         self._language()
         return self._menus.of(menu)
 
-    def own_signal(self, source: str, holder: str) -> None:
-        """Do nothing: the station's program says who reads a signal."""
-
     def submit(self, request: Request) -> Future[object]:
         """Ask for something (`AttachedStation.submit`). Settings are read again by the station's program.
 

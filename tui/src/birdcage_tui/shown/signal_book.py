@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Sequence
 
+from birdcage.signal.heard_from import heard_from
 from birdcage.signal.peak_hold import LevelNow, PeakHold
 from birdcage.signal.source import SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER, TUNER_FACTS
-from birdcage.station.state import MOVING, LinkPhase, StationState
+from birdcage.station.state import StationState
 
-from birdcage_tui.shown.view import STALE_S, SignalSample
+from birdcage_tui.shown.view import SignalSample
 
 KEPT = 2000
-MOVED_S = 0.3
-"""So long after it was read a position still holds while the dish moves."""
 
 
 class SignalBook:
@@ -40,7 +39,7 @@ class SignalBook:
 
     def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
         """Take what a source has told, and where the dish pointed then, if that is known."""
-        where = _where(reading.at, facts, state)
+        where = heard_from(reading.at, facts, state)
         self.of(facts).append(SignalSample(reading.at, reading.value, *where))
         self._holds.setdefault(facts.id, PeakHold(facts.scale)).hear(reading.at, reading.value, *where)
 
@@ -69,16 +68,3 @@ class SignalBook:
     def samples(self) -> Sequence[SignalSample]:
         """What that one told, the newest last."""
         return tuple(self.of(self.heard))
-
-
-def _where(at: float, facts: SignalFacts, state: StationState) -> tuple[float | None, float | None]:
-    """Return the true direction at a monotonic time; Nones while it was not read then.
-
-    Whatever is not the dish tells also while the dish does not: then its last position is of before.
-    """
-    position = state.position
-    if position is None or position.modelled:
-        return None, None
-    holds_s = MOVED_S if state.activity in MOVING else STALE_S
-    known = state.link.state is LinkPhase.UP and state.position_lost is None and abs(at - position.told_at) <= holds_s
-    return (position.az_deg, position.el_deg) if facts.of_dish or known else (None, None)

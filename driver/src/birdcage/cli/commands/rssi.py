@@ -1,0 +1,24 @@
+"""`birdcage rssi`."""
+
+from __future__ import annotations
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import flags, global_options, wanted
+
+
+@click.command("rssi", epilog=exits.EPILOG)
+@click.option("--count", metavar="N", type=click.IntRange(min=1), help="End after so many readings.")
+@click.option("--seconds", metavar="S", type=click.FloatRange(min=0.1), help="End after so long.")
+@global_options()
+def command(count: int | None, seconds: float | None) -> None:
+    """Print the signal strength, a line each reading, as often as its source tells it. Moves nothing.
+
+    The source is the one of the mounted feed: the dish's own tuner, which is read while the dish rests, or your
+    receiver. If another birdcage program has the port, that one reads the tuner. Ctrl+C ends it; mean, scatter and the
+    direction of the strongest signal follow on stderr. With --json each line is one object.
+    """
+    from birdcage.cli.rssi_run import print_readings
+
+    print_readings(wanted(), count=count, seconds=seconds, as_json=flags().json)

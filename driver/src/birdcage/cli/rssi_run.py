@@ -1,0 +1,135 @@
+"""`birdcage rssi`: readings of the feed's own source, one line each, and what they come to."""
+
+from __future__ import annotations
+
+import math
+import queue
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
+from birdcage.cli.attached_command import reach_dish
+from birdcage.cli.say import iso, say, tell, tell_json
+from birdcage.rotator.feature import POSITION
+from birdcage.signal.heard_from import heard_from
+from birdcage.signal.monitor import SignalMonitor
+from birdcage.signal.receiver import RECEIVER, ReceiverSource
+from birdcage.signal.tuner import TunerSource
+from birdcage.station.requests import Watch
+
+if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+    from birdcage.cli.station_command import StationCommand
+    from birdcage.signal.source import SignalFacts, SignalReading, SignalSource
+
+HOLDER = "birdcage rssi"
+FIRST_S = 20.0
+"""How long the first reading is waited for: a line must be quiet for some seconds before its menu is left."""
+
+
+@dataclass
+class Summary:
+    """What all readings come to."""
+
+    facts: SignalFacts
+    count: int = 0
+    first_at: float = 0.0
+    last_at: float = 0.0
+    mean: float = 0.0
+    squares: float = 0.0
+    """The sum of squares about the mean, by Welford's recurrence: m += (x - m) / n, s += (x - m_before) (x - m)."""
+    best: float = -math.inf
+    best_from: tuple[float | None, float | None] = field(default=(None, None))
+
+    def take(self, reading: SignalReading, direction: tuple[float | None, float | None]) -> None:
+        """Take one more."""
+        self.first_at = self.first_at if self.count else reading.at
+        self.count, self.last_at = self.count + 1, reading.at
+        before = self.mean
+        self.mean += (reading.value - before) / self.count
+        self.squares += (reading.value - before) * (reading.value - self.mean)
+        if reading.value > self.best:
+            self.best, self.best_from = reading.value, direction
+
+    def words(self) -> str:
+        """Return it in a sentence; empty without a reading."""
+        if not self.count:
+            return ""
+        unit, digits, span_s = self.facts.unit, self.facts.decimals + 1, self.last_at - self.first_at
+        rate = f", {(self.count - 1) / span_s:.1f} a second" if span_s > 0.0 else ""
+        scatter = f" ±{math.sqrt(self.squares / (self.count - 1)):.{digits}f}" if self.count > 1 else ""
+        az_deg, el_deg = self.best_from
+        where = "" if az_deg is None or el_deg is None else f" at {az_deg:.2f} / {el_deg:.2f}"
+        return (
+            f"{self.count} readings{rate}: mean {self.mean:.{digits}f}{scatter} {unit}, "
+            f"highest {self.best:.{self.facts.decimals}f}{where}."
+        )
+
+
+def print_readings(dish_wanted: Wanted, *, count: int | None, seconds: float | None, as_json: bool) -> None:
+    """Print readings until there are so many, or so long; without either until a signal.
+
+    CommandRefused for a dish without a tuner, NoReply where nothing is heard.
+    """
+    settings = dish_wanted.settings
+    with reach_dish(dish_wanted, HOLDER, survey=False) as dish:
+        dish.come_up(15.0)
+        dish.station.submit(Watch(HOLDER, frozenset({POSITION}), 1.0))
+        told: queue.SimpleQueue[SignalReading] = queue.SimpleQueue()
+        tuner = TunerSource(dish.station)
+        receiver = None
+        if settings.active_feed.signal == RECEIVER:
+            receiver = ReceiverSource(dish.station, settings, dish.station.clock, threads=True)
+        sources: list[SignalSource] = [tuner] if receiver is None else [tuner, receiver]
+        monitor = SignalMonitor(sources, settings.active_feed.signal, told.put)
+        summary = Summary(monitor.chosen.facts)
+        try:
+            monitor.watch(on=True, steady=True)
+            _print(dish, monitor, told, summary, count=count, seconds=seconds, as_json=as_json)
+        finally:
+            monitor.close()
+            tuner.close()
+            if receiver is not None:
+                receiver.close()
+            if words := summary.words():
+                say(words)
+
+
+def _print(
+    dish: StationCommand, monitor: SignalMonitor, told: queue.SimpleQueue[SignalReading], summary: Summary, *,
+    count: int | None, seconds: float | None, as_json: bool,
+) -> None:  # fmt: skip
+    begun, source = dish.now, monitor.chosen.facts.id
+    while (count is None or summary.count < count) and not (summary.count and seconds and dish.now >= begun + seconds):
+        dish.look()
+        while not told.empty() and (count is None or summary.count < count):
+            reading = told.get()
+            if reading.source == source:
+                begun = begun if summary.count else dish.now  # the seconds are of readings, not of the way to them
+                _print_one(dish, reading, summary, as_json=as_json)
+        if not summary.count:
+            _see_that_it_may_tell(dish, monitor, begun)
+
+
+def _see_that_it_may_tell(dish: StationCommand, monitor: SignalMonitor, begun: float) -> None:
+    trouble = monitor.chosen.trouble
+    if trouble and monitor.chosen.facts.of_dish:
+        raise CommandRefused(trouble, reason=Reason.UNSUPPORTED)
+    if dish.now > begun + FIRST_S:
+        rests = "It is read while the dish rests." if monitor.chosen.facts.of_dish else "Does the receiver answer?"
+        raise NoReply(trouble or f"The {monitor.chosen.facts.label} told nothing in {FIRST_S:.0f} s. {rests}")
+
+
+def _print_one(dish: StationCommand, reading: SignalReading, summary: Summary, *, as_json: bool) -> None:
+    facts, state = summary.facts, dish.state
+    az_deg, el_deg = direction = heard_from(reading.at, facts, state)
+    summary.take(reading, direction)
+    if as_json:
+        tell_json({
+            "utc": iso(reading.utc), "value": reading.value, "unit": reading.unit, "source": reading.source,
+            "azimuth_deg": az_deg, "elevation_deg": el_deg, "port": state.port, "demo": facts.demo or state.demo,
+        })  # fmt: skip
+        return
+    where = f"{'--':>7} {'--':>6}" if az_deg is None or el_deg is None else f"{az_deg:7.2f} {el_deg:6.2f}"
+    tell(f"{reading.utc:%H:%M:%S.%f}"[:-4] + f"Z  {where}  {reading.value:.{facts.decimals}f} {reading.unit}")

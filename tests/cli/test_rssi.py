@@ -1,0 +1,78 @@
+"""`birdcage rssi`: readings on stdout, what they come to on stderr; on a port of its own and through a station."""
+
+from __future__ import annotations
+
+import json
+import re
+import statistics
+import threading
+
+import pytest
+from birdcage.base.clock import VirtualClock
+from birdcage.cli.rssi_run import Summary
+from birdcage.signal.source import SignalReading
+from birdcage.signal.tuner import TUNER_FACTS
+from birdcage.station.requests import Goto
+
+LINE = re.compile(r"\d\d:\d\d:\d\d\.\d\dZ +(\d+\.\d\d|--) +(\d+\.\d\d|--) {2}\d+ counts")
+
+
+@pytest.fixture(autouse=True)
+def _quick_line(monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.3")
+
+
+def test_so_many_readings_a_line_each_and_a_summary_beside_them(run):
+    result = run("rssi", "--count", 8)
+    assert result.exit_code == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert len(lines) == 8
+    assert all(LINE.fullmatch(line) for line in lines), lines
+    assert re.search(r"8 readings, \d+\.\d a second: mean 4\d\d\.\d ±\d\.\d counts, highest \d+ at ", result.stderr)
+
+
+def test_the_seconds_count_from_the_first_reading(run):
+    result = run("rssi", "--seconds", 1, "--json")
+    told = [json.loads(line) for line in result.stdout.splitlines()]
+    assert 4 <= len(told) <= 14
+    first = told[0]
+    assert (first["unit"], first["source"], first["demo"], first["port"]) == ("counts", "tuner", True, "sim:g2")
+    assert first["utc"].endswith("Z")
+    assert first["elevation_deg"] == pytest.approx(45.0, abs=0.1)
+
+
+def test_through_a_station_the_other_program_reads_and_reads_no_more_afterwards(run, pty_dish, owner):
+    owner.station.submit(Goto(20.0, 47.0, "app")).result(30)
+    result = run("rssi", "--count", 5, "--json", port=pty_dish.path)
+    told = [json.loads(line) for line in result.stdout.splitlines()]
+    assert len(told) == 5, result.stderr
+    assert told[-1]["azimuth_deg"] == pytest.approx(20.0, abs=0.1)
+    assert owner.station.state.holder == "app"
+    pty_dish.wait_for(lambda _truth: "monitor" not in owner.station.state.signal_owners.values())
+    threading.Event().wait(0.5)
+    heard = owner.station.state.readings["rssi"]
+    threading.Event().wait(1.0)
+    assert owner.station.state.readings["rssi"] is heard
+
+
+def test_a_dish_without_a_tuner_says_what_to_do(run):
+    result = run("rssi", "--count", 1, firmware="hal205", port="sim:hal205")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert 'has no tuner to read. signal = "rigctl"' in result.stderr
+
+
+def test_without_a_reading_nothing_is_summed_up():
+    assert Summary(TUNER_FACTS).words() == ""
+
+
+def test_mean_and_scatter_are_those_of_all_readings():
+    clock, summary = VirtualClock(), Summary(TUNER_FACTS)
+    values = [400.0, 401.0, 399.0, 550.0, 398.0]
+    for index, value in enumerate(values):
+        reading = SignalReading(value, "counts", clock.monotonic() + index, clock.utc(), "tuner")
+        summary.take(reading, (10.0 * index, 30.0))
+    assert (summary.mean, summary.best_from) == (pytest.approx(statistics.mean(values)), (30.0, 30.0))
+    spread = statistics.stdev(values)
+    assert (
+        summary.words() == f"5 readings, 1.0 a second: mean 429.6 ±{spread:.1f} counts, highest 550 at 30.00 / 30.00."
+    )
