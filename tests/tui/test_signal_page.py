@@ -147,3 +147,22 @@ def test_in_the_demo_a_step_away_is_colder_and_the_way_back_is_found():
     assert "▲ hotter" in back
     assert near.share > 0.95
     assert near.rate_hz > 4.0
+
+
+@pytest.mark.parametrize(("size", "said"), [((40, 12), "98 % ▲ hotter"), ((60, 30), "98 % of peak  ▲ hotter")], ids=str)
+def test_the_pocket_view_says_the_three_numbers_too(size, said):
+    async def look(app, pilot):
+        level(app, trend=Trend.HOTTER, az_deg=189.46)
+        app.paint()
+        await pilot.pause()
+        level(app, late_s=30.0)
+        steady = [watch.steady for watch in app.station.asked_for(Watch) if "rssi" in watch.features]
+        before = stand_in.text_of(app)
+        app.paint()
+        await pilot.pause()
+        return before, stand_in.text_of(app), steady
+
+    fresh, late, steady = stage.run(look, "idle", size)
+    assert f"443  {said}  ▶0.3° ▼0.9°" in fresh
+    assert "30s old" in late
+    assert steady[-1] is True

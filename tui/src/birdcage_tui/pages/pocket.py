@@ -6,12 +6,12 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
 from birdcage_tui.panes.next import NextPane
-from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.passes import PocketPasses
 from birdcage_tui.pocket.pocket_layout import PocketLayout, arrange
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
+from birdcage_tui.pocket.signal import PocketSignal
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.skew import has_skew
@@ -20,7 +20,7 @@ from birdcage_tui.widgets.skew import has_skew
 class PocketPage(Page):
     """One column, or readings beside the sky where it is wide; every row is given by `arrange`."""
 
-    WATCHES = frozenset({"position", "signal"})
+    WATCHES = frozenset({"position", "signal steadily"})
     RATE_HZ = 2.0
     HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes."
 
@@ -33,7 +33,7 @@ class PocketPage(Page):
         with Horizontal(id="pocket-body"):
             with Vertical(id="pocket-column"):
                 yield PocketReading()
-                yield SignalPane()
+                yield PocketSignal()
                 yield NextPane()
             yield SkyPane()
         yield PocketPasses()
@@ -69,7 +69,7 @@ class PocketPage(Page):
         column = self.query_one("#pocket-column")
         column.styles.width = layout.column if layout.beside else "1fr"
         column.styles.height = "1fr" if layout.beside else layout.reading + layout.signal + layout.words
-        for kind, rows in ((PocketReading, layout.reading), (SignalPane, layout.signal), (NextPane, layout.words),
+        for kind, rows in ((PocketReading, layout.reading), (PocketSignal, layout.signal), (NextPane, layout.words),
                            (PocketKeys, layout.keys), (StopBar, layout.stop)):  # fmt: skip
             pane = self.query_one(kind)
             pane.display = rows > 0

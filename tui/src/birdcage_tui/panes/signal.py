@@ -43,7 +43,7 @@ class SignalPane(Pane):
         axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
         width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
         shown = [sample for sample in view.signal if view.now - sample.at <= SPAN_S]
-        self._words(cells, view, shown, source)
+        self.write_reading(cells, view, shown, source)
         if shown:
             span = f"last {SPAN_S:.0f} s"
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
@@ -51,7 +51,7 @@ class SignalPane(Pane):
             self._curve(cells, shown, view, width, height, axis)
 
     @staticmethod
-    def _words(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
+    def write_reading(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
         """Write reading, peak and where that was heard; at the right who hears, or how long ago that was."""
         last, heard = view.signal[-1], view.heard
         age_s = view.now - last.at

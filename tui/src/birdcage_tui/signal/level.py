@@ -9,11 +9,11 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.drawing.digits import put_big, width_of
 from birdcage_tui.panes.signal import why_no_signal
+from birdcage_tui.shown.level_words import TRENDS, is_late, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
-TRENDS = {Trend.HOTTER: "▲ hotter", Trend.COLDER: "▼ colder", Trend.SAME: ""}
 LARGE = (50, 9)
 """Columns and rows from which the digits are five rows tall."""
 BESIDE = 26
@@ -23,16 +23,6 @@ BESIDE = 26
 def is_large(cells: Cells) -> bool:
     """Return whether there is room for digits five rows tall."""
     return cells.width >= LARGE[0] and cells.height >= LARGE[1]
-
-
-def value_text(value: float, heard: SignalFacts) -> str:
-    """Return a value as its source tells it."""
-    return f"{value:.{heard.decimals}f}"
-
-
-def is_late(view: View, level: LevelNow) -> bool:
-    """Return whether the last reading is older than its source usually lets pass between two."""
-    return view.now - level.at > view.heard.pause_s
 
 
 class LevelPane(Pane):

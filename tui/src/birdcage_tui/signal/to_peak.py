@@ -2,28 +2,16 @@
 
 from __future__ import annotations
 
-from birdcage.base.geometry import shortest_turn
-from birdcage.signal.peak_hold import HeardPeak
-
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.drawing.digits import put_big
+from birdcage_tui.shown.level_words import NEAR_DEG, arrow, turn_to, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
-from birdcage_tui.signal.level import is_large, value_text
+from birdcage_tui.signal.level import is_large
 from birdcage_tui.widgets.pane import Pane
 
-NEAR_DEG = 0.05
-"""Nearer than this no arrow points the way: gears have more play."""
 NONE_YET = "The strongest signal is kept here, with its direction."
-
-
-def turn_to(peak: HeardPeak, view: View) -> tuple[float, float] | None:
-    """Return how far azimuth, clockwise, and elevation have to turn; None where peak or position is not known."""
-    position = view.state.position
-    if position is None or view.stale or peak.az_deg is None or peak.el_deg is None:
-        return None
-    return shortest_turn(position.az_deg, peak.az_deg), peak.el_deg - position.el_deg
 
 
 class ToPeakPane(Pane):
@@ -66,6 +54,6 @@ class ToPeakPane(Pane):
             return
         here = abs(turn_deg) < NEAR_DEG
         ink = "text" if here else "accent-strong"
-        cells.put(x, 2 if large else 1, "=" if here else more if turn_deg > 0.0 else less, ink)
+        cells.put(x, 2 if large else 1, arrow(turn_deg, less, more), ink)
         text = f"{abs(turn_deg):.2f}" if abs(turn_deg) < 10.0 else f"{abs(turn_deg):.0f}"
         put_big(cells, x + 2, 0, f"{text}°", ink, large=large)

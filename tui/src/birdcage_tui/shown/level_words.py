@@ -1,0 +1,53 @@
+"""How well it is heard, in words, and the way to the strongest signal."""
+
+from __future__ import annotations
+
+from birdcage.base.geometry import shortest_turn
+from birdcage.signal.peak_hold import HeardPeak, LevelNow, Trend
+from birdcage.signal.source import SignalFacts
+
+from birdcage_tui.shown.view import View
+
+TRENDS = {Trend.HOTTER: "▲ hotter", Trend.COLDER: "▼ colder", Trend.SAME: ""}
+NEAR_DEG = 0.05
+"""Nearer than this no arrow points the way: gears have more play."""
+
+
+def value_text(value: float, heard: SignalFacts) -> str:
+    """Return a value as its source tells it."""
+    return f"{value:.{heard.decimals}f}"
+
+
+def is_late(view: View, level: LevelNow) -> bool:
+    """Return whether the last reading is older than its source usually lets pass between two."""
+    return view.now - level.at > view.heard.pause_s
+
+
+def turn_to(peak: HeardPeak, view: View) -> tuple[float, float] | None:
+    """Return how far azimuth, clockwise, and elevation have to turn; None where peak or position is not known."""
+    position = view.state.position
+    if position is None or view.stale or peak.az_deg is None or peak.el_deg is None:
+        return None
+    return shortest_turn(position.az_deg, peak.az_deg), peak.el_deg - position.el_deg
+
+
+def arrow(turn_deg: float, less: str, more: str) -> str:
+    """Return the sign of the way that an axis has to go; `=` where it is there."""
+    return "=" if abs(turn_deg) < NEAR_DEG else more if turn_deg > 0.0 else less
+
+
+def short_words(view: View, width: int) -> str:
+    """Return the numbers that count with a hand on the dish, in one row: percent of the peak, trend, degrees to it.
+
+    Empty while peak and floor cannot be told apart.
+    """
+    level = view.level
+    if level is None or level.share is None or level.peak is None:
+        return ""
+    turn = turn_to(level.peak, view)
+    way = ""
+    if turn is not None:
+        across, up = turn
+        way = f"  {arrow(across, '◀', '▶')}{abs(across):.1f}° {arrow(up, '▼', '▲')}{abs(up):.1f}°"
+    found = f"{level.share * 100.0:.0f} % of peak  {TRENDS[level.trend]}".rstrip() + way
+    return found if len(found) <= width else found.replace(" of peak ", "")
