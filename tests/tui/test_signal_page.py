@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+from types import SimpleNamespace
 
 import pytest
 import stage
@@ -16,6 +17,7 @@ from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import ReceiverPane
 from birdcage_tui.signal.to_peak import ToPeakPane
+from birdcage_tui.signal.tone import bell_period_s
 from test_demo import stage_of_the_pictures
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
@@ -59,7 +61,7 @@ def test_all_of_it_can_be_seen_and_reached(size, name):
 def test_part_of_the_peak_age_and_way_stand_there_at_every_size(size):
     text = shown(size, trend=Trend.HOTTER)
     for words in ("% of the peak", "▲ hotter", "443 counts", "floor 401", "0.1s old", "azimuth", "elevation",
-                  "445 counts at 190.0° / 42.0°", "8.2 readings a second"):  # fmt: skip
+                  "445 counts at 190.0°/42.0°", "8.2 readings a second"):  # fmt: skip
         assert words in text, words
 
 
@@ -71,7 +73,7 @@ def test_a_peak_that_is_only_noise_is_not_claimed():
 
 def test_a_reading_that_is_late_says_how_old_it_is_and_a_peak_without_direction_shows_no_degrees():
     assert "30s old" in shown(late_s=30.0)
-    assert " / " not in shown(az_deg=None, el_deg=None).split("To the peak")[1].split("Signal")[0]
+    assert "°/" not in shown(az_deg=None, el_deg=None).split("To the peak")[1].split("Signal")[0]
 
 
 def test_arrows_step_the_dish_here_and_p_only_offers_the_way_to_the_peak():
@@ -166,3 +168,80 @@ def test_the_pocket_view_says_the_three_numbers_too(size, said):
     assert f"443  {said}  ▶0.3° ▼0.9°" in fresh
     assert "30s old" in late
     assert steady[-1] is True
+
+
+class Bell:
+    """The bell, and the timers that bring the next one: they go off when the test says so."""
+
+    def __init__(self, app):
+        self.rung, self.timers = 0, []
+        self._page = app.query_one("#page-signal")
+        self._page.set_timer = self._set
+        app.bell = self._ring
+
+    def _ring(self):
+        self.rung += 1
+
+    def _set(self, delay_s, call):
+        timer = SimpleNamespace(delay_s=delay_s, call=call, stop=lambda: self.timers.remove(timer))
+        self.timers.append(timer)
+        return timer
+
+    def go_off(self):
+        timer = self.timers.pop()
+        timer.call()
+        return timer.delay_s
+
+
+def test_the_bell_rings_faster_the_hotter_it_is_and_not_at_all_without_a_peak():
+    async def body(app, pilot):
+        bell, found = Bell(app), []
+        level(app, share=None)
+        await pilot.press("t")
+        for share in (None, 0.0, 1.0):
+            level(app, share=share)
+            bell.go_off()
+            found.append((bell.rung, round(bell.timers[0].delay_s, 2), len(bell.timers)))
+        return found, stand_in.text_of(app)
+
+    found, text = stage.run(body, "idle", key="f3")
+    assert found == [(0, 0.3, 1), (1, 1.6, 1), (2, 0.16, 1)]
+    assert "tone on: faster is hotter" in text
+
+
+def test_the_tone_ends_with_its_key_and_on_another_page_and_comes_back_with_this_one():
+    async def body(app, pilot):
+        bell = Bell(app)
+        level(app)
+        await pilot.press("t", "f1")
+        await pilot.pause()
+        bell.go_off()
+        elsewhere = bell.rung, len(bell.timers)
+        await pilot.press("f3")
+        app.paint()
+        await pilot.pause()
+        back = bell.rung, len(bell.timers)
+        await pilot.press("t")
+        app.paint()
+        await pilot.pause()
+        return elsewhere, back, len(bell.timers)
+
+    assert stage.run(body, "idle", key="f3") == ((1, 0), (2, 1), 0)
+
+
+@pytest.mark.parametrize(("share", "period_s"), [(0.0, 1.6), (0.5, 0.506), (1.0, 0.16), (1.3, 0.16), (-0.2, 1.6)])
+def test_the_period_of_the_bell(share, period_s):
+    async def body(app, _pilot):
+        level(app, share=share)
+        return bell_period_s(app.view())
+
+    assert stage.run(body, "idle", key="f3") == pytest.approx(period_s, abs=0.001)
+
+
+@pytest.mark.parametrize("what", [{"share": None}, {"late_s": 60.0}])
+def test_there_is_silence_while_nothing_is_known(what):
+    async def body(app, _pilot):
+        level(app, **what)
+        return bell_period_s(app.view())
+
+    assert stage.run(body, "idle", key="f3") is None

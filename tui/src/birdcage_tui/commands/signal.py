@@ -12,6 +12,10 @@ SIGNAL = (
         "Signal", footer="to peak", where=WHERE,
     ),
     Command(
+        "signal-tone", ("t",), "t", "Tone on, off", "Ring the terminal's bell, faster as the signal rises.", "Signal",
+        footer="tone", where=WHERE,
+    ),
+    Command(
         "signal-forget", ("x",), "x", "Forget the peak", "Begin anew with peak and floor, in another part of the sky.",
         "Signal", footer="forget", where=WHERE,
     ),

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
+from textual.timer import Timer
 
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.shown.view import View
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
 from birdcage_tui.signal.to_peak import ToPeakPane
+from birdcage_tui.signal.tone import WAITS_S, bell_period_s
 from birdcage_tui.widgets.page import Page
 
 UPPER, UPPER_TALL = 9, 13
@@ -50,6 +53,39 @@ class SignalPage(Page):
         yield SignalPane(id="signal-strip")
         yield ReceiverPane(id="receiver")
 
+    _tone = False
+    _rings: Timer | None = None
+    """Brings the next bell; None while there is no tone."""
+
+    def show(self, view: View) -> None:
+        """Draw, and take up the tone again where the page was left with one."""
+        super().show(view)
+        if self._tone and self._rings is None and self.is_attached:
+            self._ring()
+
+    def _ring(self) -> None:
+        """Ring, if there is something to ring for, and see to the next bell; on a page that is left it ends."""
+        self._rings = None
+        if not (self._tone and self.display and self.is_attached):
+            return
+        period_s = bell_period_s(self.host.view())
+        if period_s is not None:
+            self.app.bell()
+        self._rings = self.set_timer(WAITS_S if period_s is None else period_s, self._ring)
+
+    def _switch_tone(self) -> None:
+        self._tone = not self._tone
+        if self._rings is not None:
+            self._rings.stop()
+            self._rings = None
+        level = self.query_one(LevelPane)
+        level.border_subtitle = "tone on: faster is hotter" if self._tone else ""
+        if self._tone:
+            self._ring()
+            self.host.say("The terminal's bell rings faster as the signal rises. t: silence.")
+        else:
+            self.host.say("Tone off.")
+
     def on_resize(self) -> None:
         """Give the digits more room where there is some."""
         tall = self.size.height >= TALL
@@ -69,6 +105,8 @@ class SignalPage(Page):
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor are forgotten. They are heard anew.")
+            case "signal-tone":
+                self._switch_tone()
             case _:
                 return False
         return True

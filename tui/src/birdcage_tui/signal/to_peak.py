@@ -40,7 +40,7 @@ class ToPeakPane(Pane):
         else:
             where = ""
             if peak.az_deg is not None and peak.el_deg is not None:
-                where = f" at {peak.az_deg:.1f}° / {peak.el_deg:.1f}°"
+                where = f" at {peak.az_deg:.1f}°/{peak.el_deg:.1f}°"
             words = f"{value_text(peak.value, view.heard)} {view.heard.unit}{where}, {age_text(view.now - peak.at)} ago"
             cells.put(1, y + 1, cut(words, cells.width - 2), "text")
         if cells.height > y + 2:
