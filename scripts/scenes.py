@@ -77,20 +77,16 @@ async def craft(on: Stage) -> None:
 
 
 async def signal(on: Stage) -> None:
-    """Peaking by hand near 119° W: over it in steps of 0.5°, back to the peak, and a step up from there."""
+    """Peaking by hand on 119° W: once around it in steps of 2°, so that its middle is known, and halfway there."""
     await on.wait(9)
     await on.press("f3", "g")
     await on.type("119W")
     await on.press("enter")
     await on.wait(8)
-    await on.press("x", "minus")
-    for key in (*("left",) * 7, *("right",) * 14):
+    await on.press("x", "plus")
+    for key in ("right", "up", "up", "left", "left", "left", "down", "down", "down", "down", "right", "right", "up"):
         await on.press(key)
-        await on.wait(2)
-    await on.press("p", "enter")
-    await on.wait(5)
-    await on.press("up")
-    await on.wait(3)
+        await on.wait(3)
 
 
 async def console(on: Stage) -> None:
@@ -160,7 +156,7 @@ SCENES = (
     Scene("tui-control", control, ("SLEWING", "Cable")),
     Scene("tui-network", network, ("Gpredict follows LEO 1", "SatDump", "ignored 59", "watches", "RPRT 0")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
-    Scene("tui-signal", signal, ("% of the peak", "To the peak", "readings a second", "lock")),
+    Scene("tui-signal", signal, ("% of the peak", "Fit of", "readings a second", "lock")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),

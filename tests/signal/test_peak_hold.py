@@ -125,3 +125,51 @@ def test_without_a_direction_level_and_peak_hold_all_the_same():
         hold.hear(0.1 * index, 400.0 + index % 2)
     assert hold.now().peak.az_deg is None
     assert hold.now().trend is Trend.SAME
+
+
+def around(beam):
+    """Listen at eight directions around a satellite, none of them on it, as a person who searches does."""
+    for az_deg, el_deg in ((176.5, 38.0), (179.0, 38.0), (182.0, 38.0), (184.0, 40.5), (182.0, 42.5), (178.0, 42.5)):
+        beam.listen(az_deg, el_deg, 2.5)
+    return beam.listen(176.0, 41.0, 2.5)
+
+
+def test_the_middle_is_known_before_anybody_has_pointed_there():
+    now = around(Beam())
+    assert (now.fit.az_deg, now.fit.el_deg) == (pytest.approx(180.0, abs=0.15), pytest.approx(40.0, abs=0.1))
+    assert now.fit.sigma_deg < 0.15
+    assert now.peak.az_deg != 180.0
+
+
+def test_of_noise_no_middle_is_claimed():
+    assert all(around(Beam(counts=0.0, seed=seed)).fit is None for seed in range(30))
+
+
+def test_decibels_are_fitted_as_powers():
+    rng, hold, at = random.Random(1), PeakHold(Scale.LOG), 0.0
+    beam = Beam(counts=8.0, floor=1.0)
+    for az_deg, el_deg in [(176.0 + 2.0 * i, 37.0 + 3.0 * j) for i in range(5) for j in range(3)]:
+        for _ in range(12):
+            at += 0.1
+            hold.hear(at, 10.0 * math.log10(beam.level(az_deg, el_deg)) + rng.gauss(0.0, 0.1), az_deg, el_deg)
+    fit = hold.now().fit
+    assert (fit.az_deg, fit.el_deg) == (pytest.approx(180.0, abs=0.1), pytest.approx(40.0, abs=0.1))
+    assert fit.width_deg == pytest.approx(6.4, rel=0.05)
+
+
+def test_two_satellites_heard_in_turn_are_not_taken_for_one_between_them():
+    for seed in range(10):
+        beam = Beam(seed=seed)
+        around(beam)
+        here, beam.level = beam.level, lambda az_deg, el_deg, level=beam.level: level(az_deg - 14.0, el_deg)
+        for az_deg, el_deg in (
+            (190.5, 38.0),
+            (193.0, 38.0),
+            (196.0, 38.0),
+            (198.0, 40.5),
+            (196.0, 42.5),
+            (192.0, 42.5),
+        ):
+            now = beam.listen(az_deg, el_deg, 2.5)
+        assert now.fit is None or min(abs(now.fit.az_deg - at) for at in (180.0, 194.0)) < 1.0
+        assert here(180.0, 40.0) == pytest.approx(550.0)

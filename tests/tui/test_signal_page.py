@@ -9,10 +9,13 @@ from types import SimpleNamespace
 import pytest
 import stage
 import stand_in
+from birdcage.signal.beam_fit import BeamFit
 from birdcage.signal.peak_hold import HeardPeak, LevelNow, Trend
 from birdcage.station.requests import Goto, Jog, Watch
+from birdcage.station.state import Activity
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.shown.level_words import turn_to
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import ReceiverPane
@@ -24,11 +27,11 @@ SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
 PANES = (SignalHead, LevelPane, ToPeakPane, JogPane, SignalPane, ReceiverPane)
 
 
-def level(app, *, share=0.98, trend=Trend.SAME, az_deg=190.0, el_deg=42.0, late_s=0.1):
+def level(app, *, share=0.98, trend=Trend.SAME, az_deg=190.0, el_deg=42.0, late_s=0.1, fit=None):
     """Have the app show this level."""
     now = app.session.clock.monotonic()
     peak = HeardPeak(445.0, now - 12.0, az_deg, el_deg)
-    told = LevelNow(443.0, now - late_s, 8.2, 0.65, 401.0, peak, share, trend)
+    told = LevelNow(443.0, now - late_s, 8.2, 0.65, 401.0, peak, share, trend, fit)
     app.signals.book._holds[app.signals.book.heard.id] = type("Hold", (), {"now": lambda _self: told})()
 
 
@@ -245,3 +248,30 @@ def test_there_is_silence_while_nothing_is_known(what):
         return bell_period_s(app.view())
 
     assert stage.run(body, "idle", key="f3") is None
+
+
+FIT = BeamFit(189.46, 42.17, 0.04, 150.0, 400.0, 6.4, 12)
+
+
+def test_where_a_fit_tells_the_middle_the_way_leads_there():
+    text = shown(fit=FIT)
+    assert "Fit of 12: 189.46°/42.17° ±0.04°" in text
+    assert "445 counts at" not in text
+
+    async def body(app, pilot):
+        level(app, fit=FIT)
+        await pilot.press("p", "enter")
+        await pilot.pause()
+        return app.station.asked_for(Goto)
+
+    assert [(goto.az_deg, goto.el_deg) for goto in stage.run(body, "idle", key="f3")] == [(189.46, 42.17)]
+
+
+def test_no_way_is_shown_while_the_dish_follows_what_moves():
+    async def body(app, _pilot):
+        level(app, fit=FIT)
+        return turn_to(app.view().level, app.view()), app.view()
+
+    assert stage.run(body, "idle")[0] is not None
+    turn, view = stage.run(body, "idle", state={"activity": Activity.FOLLOWING})
+    assert (view.state.activity, turn) == (Activity.FOLLOWING, None)

@@ -12,6 +12,7 @@ from enum import Enum
 from statistics import fmean
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.signal.beam_fit import LEAST_POINTS, BeamFit, BeamPoint, fit_beam
 from birdcage.signal.source import Scale
 
 SPELL_S = 1.0
@@ -28,6 +29,10 @@ KEPT_STEPS = 400
 """From so many differences between one reading and the next the noise is computed."""
 MOST_COUNTED = 20
 """Readings of one direction that count when it is compared with another."""
+KEPT_PLACES = 60
+"""Directions of which the levels are kept, for the fit: the last ones."""
+LEAST_NOISE = 0.002
+"""The noise of one reading counts as this part of the range of levels at least: a source may tell in coarse steps."""
 CLEAR = 4.0
 """A peak must stand so many times the noise over the floor, before it is said which part of it is heard."""
 SURE = 2.5
@@ -71,6 +76,8 @@ class LevelNow:
     """The part of the peak over the floor, in power: 1 is the peak. None while peak and floor cannot be told apart."""
     trend: Trend
     """Against the direction before the last step."""
+    fit: BeamFit | None
+    """Where the middle of the source is, by all directions that were heard; None while they do not tell."""
 
 
 @dataclass(slots=True)
@@ -108,13 +115,24 @@ class PeakHold:
         """All of this direction, however long it lasts."""
         self._before: _Spell | None = None
         self._peak: HeardPeak | None = None
+        self._left: deque[_Spell] = deque(maxlen=KEPT_PLACES)
+        """Directions that were heard before this one."""
+        self._fit: BeamFit | None = None
 
-    def hear(self, at: float, value: float, az_deg: float | None = None, el_deg: float | None = None) -> None:
-        """Take a reading at a monotonic time, and the true direction in which it was taken, if that is known."""
+    def hear(
+        self, at: float, value: float, az_deg: float | None = None, el_deg: float | None = None, *,
+        beam_deg: float | None = None,
+    ) -> None:  # fmt: skip
+        """Take a reading at a monotonic time, and the true direction in which it was taken, if that is known.
+
+        `beam_deg` is the width of the beam, as far as it is known.
+        """
         if self._here is not None and self._here.is_here(az_deg, el_deg):
             self._steps.append((value - self._here.values[-1]) ** 2)
         else:
             self._end_spell()
+            if self._here is not None:
+                self._left.append(self._here)
             self._before, self._here = self._here, _Spell(at, az_deg, el_deg)
         self._here.values = [*self._here.values[1 - MOST_COUNTED :], value]
         self._recent.append((at, value))
@@ -122,6 +140,7 @@ class PeakHold:
             self._recent.popleft()
         if self._spell is not None and at - self._spell.at >= SPELL_S:
             self._end_spell()
+            self._fit = self._fitted(beam_deg)
         if self._spell is None:
             self._spell = _Spell(at, az_deg, el_deg)
         self._spell.values.append(value)
@@ -136,7 +155,7 @@ class PeakHold:
         span_s = at - self._recent[0][0]
         return LevelNow(
             level, at, (len(self._recent) - 1) / span_s if span_s > 0.0 else None, self._noise, self._floor, self._peak,
-            self._share(level), self._trend(here),
+            self._share(level), self._trend(here), self._fit,
         )  # fmt: skip
 
     def _end_spell(self) -> None:
@@ -148,6 +167,23 @@ class PeakHold:
         self._means.append(mean)
         if self._peak is None or mean > self._peak.value:
             self._peak = HeardPeak(mean, spell.at, spell.az_deg, spell.el_deg)
+
+    def _fitted(self, beam_deg: float | None) -> BeamFit | None:
+        """Return the middle of the source by every direction."""
+        noise, heard = self._noise, [*self._left, *filter(None, [self._here])]
+        if noise is None or len(heard) < LEAST_POINTS:
+            return None
+        means = [fmean(each.values) for each in heard]
+        top, range_ = max(means), max(means) - min(means)
+        points = []
+        for each, mean in zip(heard, means, strict=True):
+            sigma = max(noise, LEAST_NOISE * range_) / math.sqrt(len(each.values))
+            if self._scale is Scale.LOG:
+                mean = self._power(mean - top)  # noqa: PLW2901 - the same level, in powers
+                sigma *= mean * math.log(10.0) / 10.0
+            if each.az_deg is not None and each.el_deg is not None and sigma > 0.0:
+                points.append(BeamPoint(each.az_deg, each.el_deg, mean, sigma))
+        return fit_beam(points, beam_deg)
 
     @property
     def _noise(self) -> float | None:

@@ -8,6 +8,7 @@ from textual.timer import Timer
 
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
@@ -97,11 +98,11 @@ class SignalPage(Page):
         level = self.host.view().level
         match command:
             case "signal-peak":
-                peak = None if level is None else level.peak
-                if peak is None or peak.az_deg is None or peak.el_deg is None:
+                to = None if level is None else way_to(level)
+                if to is None:
                     self.host.say("No peak with a direction was heard yet.")
                 else:
-                    self.host.open_goto(f"{peak.az_deg:.2f} {peak.el_deg:.2f}")
+                    self.host.open_goto(f"{to[0]:.2f} {to[1]:.2f}")
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor are forgotten. They are heard anew.")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.signal.beam_fit import BeamFit
 from birdcage.signal.peak_hold import HeardPeak, LevelNow, Trend
 from birdcage.signal.source import SignalFacts
+from birdcage.station.state import Activity
 
 from birdcage_tui.shown.view import View
 
@@ -23,12 +25,26 @@ def is_late(view: View, level: LevelNow) -> bool:
     return view.now - level.at > view.heard.pause_s
 
 
-def turn_to(peak: HeardPeak, view: View) -> tuple[float, float] | None:
-    """Return how far azimuth, clockwise, and elevation have to turn; None where peak or position is not known."""
-    position = view.state.position
-    if position is None or view.stale or peak.az_deg is None or peak.el_deg is None:
+def way_to(level: LevelNow) -> tuple[float, float] | None:
+    """Return the true direction of the middle of the source: by the fit, or else of the strongest signal.
+
+    None where neither is known.
+    """
+    found: BeamFit | HeardPeak | None = level.fit or level.peak
+    if found is None or found.az_deg is None or found.el_deg is None:
         return None
-    return shortest_turn(position.az_deg, peak.az_deg), peak.el_deg - position.el_deg
+    return found.az_deg, found.el_deg
+
+
+def turn_to(level: LevelNow, view: View) -> tuple[float, float] | None:
+    """Return how far azimuth, clockwise, and elevation have to turn to there.
+
+    None where that or the position is not known, and while the dish follows: what it follows moves on.
+    """
+    position, to = view.state.position, way_to(level)
+    if position is None or view.stale or to is None or view.state.activity is Activity.FOLLOWING:
+        return None
+    return shortest_turn(position.az_deg, to[0]), to[1] - position.el_deg
 
 
 def arrow(turn_deg: float, less: str, more: str) -> str:
@@ -42,9 +58,9 @@ def short_words(view: View, width: int) -> str:
     Empty while peak and floor cannot be told apart.
     """
     level = view.level
-    if level is None or level.share is None or level.peak is None:
+    if level is None or level.share is None:
         return ""
-    turn = turn_to(level.peak, view)
+    turn = turn_to(level, view)
     way = ""
     if turn is not None:
         across, up = turn

@@ -41,7 +41,9 @@ class SignalBook:
         """Take what a source has told, and where the dish pointed then, if that is known."""
         where = heard_from(reading.at, facts, state)
         self.of(facts).append(SignalSample(reading.at, reading.value, *where))
-        self._holds.setdefault(facts.id, PeakHold(facts.scale)).hear(reading.at, reading.value, *where)
+        self._holds.setdefault(facts.id, PeakHold(facts.scale)).hear(
+            reading.at, reading.value, *where, beam_deg=None if state.beam is None else state.beam.mean_deg
+        )
 
     def forget_peak(self) -> None:
         """Begin anew with floor and peak of what is heard."""

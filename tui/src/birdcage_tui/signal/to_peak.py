@@ -25,8 +25,9 @@ class ToPeakPane(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw both axes, the peak in words, and the keys."""
-        peak = None if view.level is None else view.level.peak
-        turn = None if peak is None else turn_to(peak, view)
+        level = view.level
+        peak, fit = (None, None) if level is None else (level.peak, level.fit)
+        turn = None if level is None else turn_to(level, view)
         across, up = (None, None) if turn is None else turn
         large = is_large(cells)
         y, wide = (5, 26) if large else (3, 16)
@@ -34,7 +35,10 @@ class ToPeakPane(Pane):
         self._axis(cells, 1 + wide, up, "▼", "▲", large=large)
         cells.put(3, y, "azimuth", "dim")
         cells.put(3 + wide, y, "elevation", "dim")
-        if peak is None:
+        if fit is not None:
+            found = f"Fit of {fit.points}: {fit.az_deg:.2f}°/{fit.el_deg:.2f}° ±{fit.sigma_deg:.2f}°"
+            cells.put(1, y + 1, cut(found, cells.width - 2), "text")
+        elif peak is None:
             for row, line in enumerate(wrap(NONE_YET, max(cells.width - 2, 10)), y + 1):
                 cells.put(1, row, line, "dim")
         else:
