@@ -7,7 +7,7 @@ from itertools import pairwise
 import pytest
 from birdcage.station.events import StopConfirmed
 from birdcage.station.requests import Goto, Jog, Unwatch, Watch
-from birdcage.station.state import Activity
+from birdcage.station.state import Activity, LinkPhase
 
 from .conftest import Bench
 
@@ -110,3 +110,39 @@ def test_readings_are_stamped_at_the_middle_of_their_dwell(steady):
     line_at = next(at for at, line in lines_of(steady, 3) if line.startswith("rssi"))
     told = [event.at for event in steady.events if getattr(event, "feature", "") == "rssi" and event.at > line_at]
     assert told[0] - line_at == pytest.approx(0.05, abs=0.03)  # ten reads of 10 ms, and half of the latency
+
+
+def test_a_damaged_answer_is_asked_for_again_after_a_second(steady):
+    """Not after the half minute for which a feature is left alone that makes no sense."""
+    sim, damaged = steady.sim, []
+    read = sim.read
+
+    def reading(*args):
+        data = read(*args)
+        if b"RSSI[" in data and len(damaged) < 2:
+            damaged.append(data)
+            data = data.replace(b"RSSI[", b"RS?I[")
+        return data
+
+    sim.read = reading
+    start = steady.clock.monotonic()
+    steady.step(6)
+    assert damaged
+    told = [event.at for event in steady.events if getattr(event, "feature", "") == "rssi" and event.at > start]
+    assert len(told) > 15
+    assert max(later - earlier for earlier, later in pairwise([start, *told])) < 3.5
+    assert steady.state.fault is None
+
+
+def test_on_a_line_with_noise_it_goes_on(steady):
+    """With one byte in 2000 damaged."""
+    steady.device.wire.to_host.garble = 0.0005
+    start = steady.clock.monotonic()
+    steady.step(60)
+    told = [event.at for event in steady.events if getattr(event, "feature", "") == "rssi" and event.at > start]
+    assert len(told) > 150
+    steady.device.wire.to_host.garble = 0.0
+    steady.step(10)
+    assert steady.state.link.state is LinkPhase.UP
+    assert steady.state.fault is None
+    assert len([1 for _at, line in lines_of(steady, 5) if line.startswith("rssi")]) > 30

@@ -13,7 +13,7 @@ from birdcage.base.reason import Reason
 from birdcage.rotator.feature import RSSI, Feature, Reading
 from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
-from birdcage.station.watches import EXCURSION_PERIOD_S, MENU_LINES, RSSI_READS
+from birdcage.station.watches import EXCURSION_PERIOD_S, MENU_LINES, RETRY_S, RSSI_READS, STEADY_RETRY_S
 
 NONSENSE = (Reason.GARBAGE, Reason.NO_ROW)
 """Reasons for which one answer is of no use: where the line is settled all the same, the dish itself answers."""
@@ -140,7 +140,8 @@ class FeatureWatch:
         except NoReply as damaged:
             if damaged.reason not in NONSENSE or not self._reader.may_leave:
                 raise
-            watches.has_failed(name, now, period_s)
+            retry_s = STEADY_RETRY_S if name == RSSI and self._is_steady else RETRY_S
+            watches.has_failed(name, now, period_s, retry_s=retry_s)
             told = {}
         # What the same answer told of others need not be asked for, either.
         for other in set(told) - {name}:

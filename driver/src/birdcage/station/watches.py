@@ -28,8 +28,9 @@ MENU_LINES = 3
 """What a change of the menu takes: a bare Enter, `q` and a name."""
 MOST_LINES = 13
 """A feature that takes more lines never fits, with a position a second: a watch does not read it, `Read` does."""
-RETRY_S = 30.0
-"""How long a feature that was refused, or told nonsense, is left alone at least."""
+RETRY_S, STEADY_RETRY_S = 30.0, 1.0
+"""How long a feature that was refused, or told nonsense, is left alone at least; a signal that is watched steadily and
+whose answer was damaged."""
 
 
 @dataclass(slots=True)
@@ -195,11 +196,11 @@ class Watches:
         """What was read of a feature no longer counts: it is due as if it had never been asked for."""
         self._asked_at.pop(feature, None)
 
-    def has_failed(self, feature: str, at: float, period_s: float) -> None:
+    def has_failed(self, feature: str, at: float, period_s: float, *, retry_s: float = RETRY_S) -> None:
         """Note that a feature was refused, or told nonsense: the others go on, and this one waits for its time."""
         if self.excursion is not None:
             self.excursion.todo = deque(each for each in self.excursion.todo if each != feature)
-        self._not_before[feature] = at + max(period_s, RETRY_S)
+        self._not_before[feature] = at + max(period_s, retry_s)
 
     def end_excursion(self) -> None:
         """The dish is needed in the motor menu, or all was read."""
