@@ -15,6 +15,7 @@ from birdcage.base.clock import RealClock
 from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
+from birdcage.signal.peak_task import SIGNAL_TASKS
 from birdcage.station.build import open_session
 from birdcage.station.control_client import find_owners, owner_file, owners_folder
 from birdcage.station.control_server import ControlServer
@@ -120,7 +121,14 @@ def owner(pty_dish):
     """A program that has the port, as the app is one."""
     paths = Paths.default()
     session = open_session(
-        port=pty_dish.path, firmware="g2", baud=None, settings=load(None), paths=paths, clock=RealClock(), survey=False
+        port=pty_dish.path,
+        firmware="g2",
+        baud=None,
+        settings=load(None),
+        paths=paths,
+        clock=RealClock(),
+        survey=False,
+        tasks=SIGNAL_TASKS,
     )
     control_server = ControlServer(session.station, owners_folder(paths))
     session.control_server = control_server

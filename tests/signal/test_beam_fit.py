@@ -94,3 +94,27 @@ def test_too_few_points_a_line_and_one_flank_tell_no_middle():
 def test_equal_levels_and_points_at_one_place_are_refused():
     assert fit_beam([BeamPoint(100.0 + i, 30.0, 400.0, NOISE) for i in range(9)], 6.0) is None
     assert fit_beam([BeamPoint(100.0, 30.0, 400.0 + i % 3, NOISE) for i in range(9)], 6.0) is None
+
+
+def with_neighbour(rng, rise, other, right_deg=9.5):
+    beside = (180.0 + right_deg / math.cos(math.radians(EL_DEG)), EL_DEG)
+    return [
+        BeamPoint(each.az_deg, each.el_deg, each.value + level(each.az_deg, each.el_deg, other, beside) - 400.0, NOISE)
+        for each in grid(rng, rise)
+    ]
+
+
+def test_beside_an_equal_neighbour_it_is_found_where_that_is_known():
+    rng, alone, together = random.Random(7), [], []
+    for _ in range(40):
+        points = with_neighbour(rng, 150.0, 150.0)
+        alone.append(fit_beam(points, 6.0))
+        together.append(off_deg(fit_beam(points, 6.0, [(9.5, 0.0)])))
+    assert statistics.median(together) < 0.1
+    assert all(fit is None or off_deg(fit) > 0.2 for fit in alone)
+
+
+def test_a_neighbour_that_is_not_there_costs_little():
+    rng = random.Random(8)
+    offs = [off_deg(fit_beam(grid(rng, 150.0), 6.0, [(9.5, 0.0), (-12.0, 1.0)])) for _ in range(40)]
+    assert statistics.median(offs) < 0.06

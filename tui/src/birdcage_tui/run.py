@@ -19,6 +19,7 @@ from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
+from birdcage.signal.peak_task import SIGNAL_TASKS
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
@@ -249,6 +250,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             survey=not options.skip_init,
             identify=name_demo if options.demo else None,
             load=load_again,
+            tasks=SIGNAL_TASKS,
         )
         # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
         # is: nothing else can be done there.

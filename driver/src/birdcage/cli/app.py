@@ -50,6 +50,7 @@ COMMANDS = {
     "get": "Read features of the dish.",
     "set": "Set a feature of the dish.",
     "rssi": "Print the signal strength, as often as it is told.",
+    "peak": "Find the middle of a satellite by its signal, and point there.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",

@@ -202,6 +202,7 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
+    from birdcage.signal.peak_task import SIGNAL_TASKS
     from birdcage.station.build import open_session
 
     known = list_firmwares()
@@ -212,7 +213,7 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
         )
     return open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey, load=wanted.load,
+        clock=clock, survey=survey, load=wanted.load, tasks=SIGNAL_TASKS,
     )  # fmt: skip
 
 

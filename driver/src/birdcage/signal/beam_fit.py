@@ -1,11 +1,11 @@
 """Where the middle of a source is, by levels in several directions: a Gaussian beam on a floor, fitted to them all.
 
-    level = floor + rise exp(-4 ln 2 r^2 / width^2)
+    level = floor + sum of rise_k exp(-4 ln 2 r_k^2 / width^2)
 
-r is the distance on the sky between the direction and the source; the width is the full width at half height, the same
-both ways. Weighted least squares by damped Gauss-Newton steps (D. Marquardt, SIAM J. Appl. Math. 11, 431, 1963), with a
-prior on the logarithm of the width. The highest of the same readings is ten times worse
-(`tests/signal/test_beam_fit.py`). Plain Python: five unknowns and some dozens of points take about a millisecond.
+r_k is the distance on the sky between the direction and a source: the one that is sought, and its neighbours. The width
+is the full width at half height, the same both ways. Weighted least squares by damped Gauss-Newton steps (D. Marquardt,
+SIAM J. Appl. Math. 11, 431, 1963), with a prior on the logarithm of the width. The highest of the same readings is ten
+times worse (`tests/signal/test_beam_fit.py`). Plain Python: some dozens of points take about a millisecond.
 """
 
 from __future__ import annotations
@@ -31,6 +31,8 @@ MOST_SIGMA = 0.15
 MOST_BEYOND = 0.35
 """The middle may lie so many widths outside of where it was listened."""
 
+FLOOR, WIDTH, RISE = 2, 3, 4
+"""Where these stand among the unknowns; the strengths of neighbours follow the source's own."""
 Row = list[float]
 
 
@@ -60,30 +62,34 @@ class BeamFit:
     points: int
 
 
-def fit_beam(points: Sequence[BeamPoint], width_deg: float | None) -> BeamFit | None:
+def fit_beam(
+    points: Sequence[BeamPoint], width_deg: float | None, neighbours: Sequence[tuple[float, float]] = ()
+) -> BeamFit | None:
     """Return the fit; None where the points do not tell the middle of a source.
 
-    `width_deg` is the width that is expected, by theory or by an earlier measurement.
+    `width_deg` is the width that is expected, by theory or by an earlier measurement. `neighbours` are other sources
+    that may be heard: how far right of the one that is sought, and above it, in degrees on the sky. Each is fitted with
+    a strength of its own.
     """
-    if len(points) < LEAST_POINTS:
+    if len(points) < LEAST_POINTS + len(neighbours):
         return None
     best = max(points, key=lambda each: each.value)
     cos = math.cos(math.radians(best.el_deg))
-    offsets = [(shortest_turn(best.az_deg, each.az_deg) * cos, each.el_deg - best.el_deg) for each in points]
-    low = min(each.value for each in points)
-    expected = math.log(ASSUMED_WIDTH_DEG if width_deg is None else width_deg)
-    prior = (expected, UNKNOWN_PRIOR if width_deg is None else WIDTH_PRIOR)
-    found = _solve(points, offsets, [0.0, 0.0, best.value - low, low, expected], prior)
+    model = _Model(
+        points, [(shortest_turn(best.az_deg, each.az_deg) * cos, each.el_deg - best.el_deg) for each in points],
+        ((0.0, 0.0), *neighbours), min(each.value for each in points), best.value, width_deg,
+    )  # fmt: skip
+    found = _solve(model)
     if found is None:
         return None
-    (across, up, rise, floor, log_width), covariance, cost = found
-    width, scale = math.exp(log_width), max(1.0, cost / max(1, len(points) - 5))
+    (across, up, floor, log_width, rise, *_), covariance, cost = found
+    width, scale = math.exp(log_width), max(1.0, cost / max(1, len(points) - len(covariance)))
     sigma = math.sqrt(scale * max(covariance[0][0], covariance[1][1]))
-    clear = rise > LEAST_RISE_SIGMAS * math.sqrt(scale * covariance[2][2])
+    clear = rise > LEAST_RISE_SIGMAS * math.sqrt(scale * covariance[RISE][RISE])
     beyond = MOST_BEYOND * width
     inside = (
-        min(x for x, _ in offsets) - beyond <= across <= max(x for x, _ in offsets) + beyond
-        and min(y for _, y in offsets) - beyond <= up <= max(y for _, y in offsets) + beyond
+        min(x for x, _ in model.offsets) - beyond <= across <= max(x for x, _ in model.offsets) + beyond
+        and min(y for _, y in model.offsets) - beyond <= up <= max(y for _, y in model.offsets) + beyond
     )
     if not (clear and inside and sigma < MOST_SIGMA * width):
         return None
@@ -91,63 +97,82 @@ def fit_beam(points: Sequence[BeamPoint], width_deg: float | None) -> BeamFit | 
     return BeamFit(az_deg, best.el_deg + up, sigma, rise, floor, width, len(points))
 
 
-def _solve(
-    points: Sequence[BeamPoint], offsets: Sequence[tuple[float, float]], start: Row, prior: tuple[float, float]
-) -> tuple[Row, list[Row], float] | None:
+class _Model:
+    """What is fitted: two offsets, floor, logarithm of the width, and the strength of each source, in this order."""
+
+    def __init__(
+        self, points: Sequence[BeamPoint], offsets: Sequence[tuple[float, float]],
+        sources: Sequence[tuple[float, float]], low: float, high: float, width_deg: float | None,
+    ) -> None:  # fmt: skip
+        self.points, self.offsets, self._sources = points, offsets, sources
+        expected = math.log(ASSUMED_WIDTH_DEG if width_deg is None else width_deg)
+        self.start = [0.0, 0.0, low, expected, high - low, *([0.0] * (len(sources) - 1))]
+        self._priors = {WIDTH: (expected, UNKNOWN_PRIOR if width_deg is None else WIDTH_PRIOR)}
+        # A neighbour out of hearing has the strength of nothing, and no more than the strongest level.
+        self._priors |= {RISE + each: (0.0, high - low or 1.0) for each in range(1, len(sources))}
+
+    def allows(self, unknowns: Row) -> bool:
+        """Return whether the width is not a twentieth, or twenty times what is expected."""
+        return abs(unknowns[WIDTH] - self._priors[WIDTH][0]) <= 3.0
+
+    def normal(self, unknowns: Row) -> tuple[float, list[Row], Row]:
+        """Return chi squared, the normal matrix and the right side of the next step."""
+        size = len(unknowns)
+        inverse = math.exp(-2.0 * unknowns[WIDTH])
+        normal, right, cost = [[0.0] * size for _ in range(size)], [0.0] * size, 0.0
+        for index, (expected, sigma) in self._priors.items():
+            normal[index][index] += 1.0 / sigma**2
+            right[index] += (expected - unknowns[index]) / sigma**2
+            cost += ((unknowns[index] - expected) / sigma) ** 2
+        for point, (x, y) in zip(self.points, self.offsets, strict=True):
+            row = [0.0, 0.0, 1.0, 0.0] + [0.0] * len(self._sources)
+            level = unknowns[FLOOR]
+            for index, (right_deg, above_deg) in enumerate(self._sources, RISE):
+                dx, dy = x - unknowns[0] - right_deg, y - unknowns[1] - above_deg
+                far = FALL * (dx * dx + dy * dy) * inverse
+                row[index] = math.exp(-far)
+                heard = unknowns[index] * row[index]
+                level += heard
+                row[0] += 2.0 * FALL * inverse * heard * dx
+                row[1] += 2.0 * FALL * inverse * heard * dy
+                row[WIDTH] += 2.0 * far * heard
+            weight, rest = 1.0 / point.sigma**2, point.value - level
+            cost += weight * rest * rest
+            for i, one in enumerate(row):
+                right[i] += weight * one * rest
+                for j in range(i, size):
+                    normal[i][j] += weight * one * row[j]
+        for i in range(size):
+            for j in range(i):
+                normal[i][j] = normal[j][i]
+        return cost, normal, right
+
+
+def _solve(model: _Model) -> tuple[Row, list[Row], float] | None:
     """Return unknowns, their covariance, and chi squared; None where that does not converge."""
-    unknowns, damping = start, 1e-3
-    cost, normal, gradient = _normal(points, offsets, unknowns, prior)
+    unknowns, damping = model.start, 1e-3
+    cost, normal, right = model.normal(unknowns)
     for _ in range(MOST_STEPS):
         damped = [[each * (1.0 + damping * (i == j)) for j, each in enumerate(row)] for i, row in enumerate(normal)]
-        step = _eliminated(damped, [[each] for each in gradient])
+        step = _eliminated(damped, [[each] for each in right])
         if step is None:
             return None
         tried = [each + change[0] for each, change in zip(unknowns, step, strict=True)]
-        if abs(tried[4] - prior[0]) > 3.0:  # a width of a twentieth, or twenty times what is expected
-            damping *= 10.0
-            continue
-        tried_cost, tried_normal, tried_gradient = _normal(points, offsets, tried, prior)
+        tried_cost, tried_normal, tried_right = (
+            model.normal(tried) if model.allows(tried) else (math.inf, normal, right)
+        )
         if tried_cost > cost:
             damping *= 10.0
             if damping > 1e8:
                 break
             continue
         gained, cost = cost - tried_cost, tried_cost
-        unknowns, normal, gradient, damping = tried, tried_normal, tried_gradient, damping / 10.0
+        unknowns, normal, right, damping = tried, tried_normal, tried_right, damping / 10.0
         if gained < 1e-6 * (1.0 + cost):
             break
-    identity = [[float(i == j) for j in range(5)] for i in range(5)]
-    covariance = _eliminated(normal, identity)
+    size = len(unknowns)
+    covariance = _eliminated(normal, [[float(i == j) for j in range(size)] for i in range(size)])
     return None if covariance is None else (unknowns, covariance, cost)
-
-
-def _normal(
-    points: Sequence[BeamPoint], offsets: Sequence[tuple[float, float]], unknowns: Row, prior: tuple[float, float]
-) -> tuple[float, list[Row], Row]:
-    """Return chi squared, the normal matrix and the right side of the next step."""
-    across, up, rise, floor, log_width = unknowns
-    inverse = math.exp(-2.0 * log_width)
-    normal, right = [[0.0] * 5 for _ in range(5)], [0.0] * 5
-    cost = ((log_width - prior[0]) / prior[1]) ** 2
-    normal[4][4] += 1.0 / prior[1] ** 2
-    right[4] += (prior[0] - log_width) / prior[1] ** 2
-    for point, (x, y) in zip(points, offsets, strict=True):
-        dx, dy = x - across, y - up
-        far = FALL * (dx * dx + dy * dy) * inverse
-        bell = math.exp(-far)
-        slope = 2.0 * FALL * inverse * rise * bell
-        row = (slope * dx, slope * dy, bell, 1.0, 2.0 * far * rise * bell)
-        weight = 1.0 / point.sigma**2
-        rest = point.value - floor - rise * bell
-        cost += weight * rest * rest
-        for i, one in enumerate(row):
-            right[i] += weight * one * rest
-            for j in range(i, 5):
-                normal[i][j] += weight * one * row[j]
-    for i in range(5):
-        for j in range(i):
-            normal[i][j] = normal[j][i]
-    return cost, normal, right
 
 
 def _eliminated(matrix: list[Row], right: list[Row]) -> list[Row] | None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import fields
 from functools import partial
+from types import MappingProxyType
+from typing import Any
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.clock import Clock
@@ -26,6 +28,7 @@ from birdcage.station.record import keep_journal
 from birdcage.station.session import Session
 from birdcage.station.settings import SettingsFile, StationSettings, rules_from, site_from
 from birdcage.station.station import Station
+from birdcage.station.task import ItemTask
 from birdcage.station.wear import keep_wear
 
 CLOSE_S = 0.2
@@ -46,6 +49,7 @@ def open_session(
     identify: Callable[[str], str | None] | None = None,
     antenna: BirdcageAntenna | None = None,
     load: Callable[[], Settings] | None = None,
+    tasks: Mapping[str, type[ItemTask[Any]]] = MappingProxyType({}),
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 
@@ -53,7 +57,8 @@ def open_session(
     `survey` reads identity and limits once the dish rests; `reconnect` looks for a lost port again. `identify` names
     the dish at a port for what is remembered of it, in place of the port's own identity. `antenna` is one that a script
     has made, which the station takes over. `load` reads the settings again when an attached program has changed them;
-    without it that is refused. KeyError for a firmware that this version does not speak.
+    without it that is refused. `tasks` are those that may be begun by their kinds.
+    KeyError for a firmware that this version does not speak.
     """
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
     journal, wear = Journal(paths.journal), WearBook(paths.journal)
@@ -81,6 +86,7 @@ def open_session(
         held_keeper=held_keeper,
         **{each.name: getattr(rules, each.name) for each in fields(rules)},
         not_now=None if own.not_now is None else NotNow(own.not_now, own.not_now_every_s, _shelter(settings)),
+        tasks=tasks,
         home_after_reboot=own.after_reboot == "home",
         file=None if load is None else SettingsFile(paths.config_file, load),
         remark=lambda text: transcript.remark(text, clock.utc()),

@@ -355,7 +355,10 @@ class StepRunner:
         here = self._store.state.position
         if here is None:
             return StepResult(self.now_s)
-        return StepResult(self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s)
+        return StepResult(
+            self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s,
+            true_az_deg=here.az_deg, true_el_deg=here.el_deg,
+        )  # fmt: skip
 
     def _go(self, az_deg: float, el_deg: float) -> None:
         azimuth, gate = self._antenna.model.azimuth, self._antenna.gate

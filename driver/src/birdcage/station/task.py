@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from typing import ClassVar, Generic, TypeVar
 
+from birdcage.rotator.feature import Value
 from birdcage.station.task_state import TaskPhase
 from birdcage.tracking.steps import StepResult, Steps
 
@@ -61,6 +62,16 @@ class Task(ABC):
     def progress(self) -> tuple[int, int] | None:
         """How many of its pieces are done, and of how many; None if it has none."""
         return None
+
+    @property
+    def end_words(self) -> str:
+        """How it ended, once all is done."""
+        return self.done_words
+
+    @property
+    def found(self) -> Mapping[str, Value]:
+        """What it has found so far, by name, for faces."""
+        return {}
 
     def goes_to(self, now_s: float) -> tuple[float, float] | None:  # noqa: ARG002 - most cannot tell
         """Return the true direction to which it would move first now; None if that is not known."""

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from datetime import datetime
 from enum import StrEnum
+
+from birdcage.rotator.feature import Value
 
 
 class TaskPhase(StrEnum):
@@ -44,6 +47,8 @@ class TaskState:
     of: int | None = None
     is_done: bool = False
     """Whether it is over because all is done."""
+    found: Mapping[str, Value] = field(default_factory=dict)
+    """What it has found so far, by name: of a peak its direction, and how sure that is."""
 
 
 @dataclass(frozen=True, slots=True)

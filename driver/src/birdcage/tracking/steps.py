@@ -115,6 +115,9 @@ class StepResult:
     """When it was there, as well as can be told: in the middle of the exchange."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
     """Of `ReadFeatures`, by id: what the machine did not tell is left out."""
+    true_az_deg: float | None = None
+    """Of a `PointAt` or `SlewTo`: where the dish was read at its end, in true degrees."""
+    true_el_deg: float | None = None
 
     def is_lost(self, step: Step) -> bool:
         """Return whether the dish's answer to a step was lost, or came too late."""

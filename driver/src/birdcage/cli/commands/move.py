@@ -52,7 +52,7 @@ def command(
 
     no_options_among(target)
     wants = wanted()
-    az_deg, el_deg = _direction(target, az_deg, el_deg, wants, elements)
+    az_deg, el_deg = direction_to(target, az_deg, el_deg, wants, elements)
     with reach_dish(wants, HOLDER, moves=True) as dish:
         dish.come_up(15.0)
         if leapfrog:
@@ -74,7 +74,7 @@ def command(
         say("It should have arrived. At rest the dish does not tell.")
 
 
-def _direction(
+def direction_to(
     words: tuple[str, ...], az_deg: float | None, el_deg: float | None, wants: Wanted, elements: Path | None
 ) -> tuple[float, float]:
     """Return where to, true: the two angles, or where the target stands now, refraction included as set.

@@ -151,7 +151,7 @@ class TaskRun:
             step = next(steps) if answer is None else steps.send(answer)
         except StopIteration:
             if self._steps is steps:
-                self.over(self.task.done_words, is_done=True)
+                self.over(self.task.end_words, is_done=True)
             return
         if self._steps is not steps:
             return
@@ -316,7 +316,7 @@ class TaskRun:
     ) -> None:
         """Show how far it is; with a phase, that it is in this one from now on."""
         done, of = self.task.progress or (None, None)
-        self.state = replace(self.state, done=done, of=of)
+        self.state = replace(self.state, done=done, of=of, found=self.task.found)
         if phase is not None:
             since = self._store.clock.monotonic()
             self.state = replace(

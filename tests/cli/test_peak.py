@@ -1,0 +1,59 @@
+"""`birdcage peak`: the dish finds a satellite by its signal; on a port of its own, and through a station."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import pytest
+from birdcage.base.geometry import shortest_turn
+from birdcage.sim.almanac import geostationary
+from birdcage.sim.settings import SimSettings
+
+SETTINGS = SimSettings()
+AZ_DEG, EL_DEG = geostationary(-61.5, SETTINGS.lat, SETTINGS.lon)
+"""A slot that stands by itself."""
+
+
+@pytest.fixture(autouse=True)
+def _quick_line(monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.3")
+
+
+def off_deg(az_deg, el_deg):
+    return math.hypot(shortest_turn(AZ_DEG, az_deg) * math.cos(math.radians(EL_DEG)), el_deg - EL_DEG)
+
+
+def test_it_ends_on_the_satellite_and_says_how_sure_that_is(run):
+    result = run("peak", f"{AZ_DEG + 1.5:.2f}", f"{EL_DEG - 1.0:.2f}")
+    assert result.exit_code == 0, result.stderr
+    found = re.fullmatch(r"Peak at ([\d.]+)°/([\d.]+)° ±(0\.\d\d)°, 1\d\d over the floor\.\n", result.stdout)
+    assert found, result.stdout
+    assert off_deg(float(found[1]), float(found[2])) < 0.25
+
+
+def test_through_a_station_the_same_and_control_is_given_back(run, as_json, pty_dish, owner):
+    told = as_json(run("peak", f"{AZ_DEG:.2f}", f"{EL_DEG:.2f}", "--width", "6.4", "--json", port=pty_dish.path))
+    assert off_deg(told["az_deg"], told["el_deg"]) < 0.25
+    assert told["points"] == 25
+    truth = pty_dish.device.truth()
+    assert off_deg(truth.az_deg, truth.el_deg) < 0.35
+    pty_dish.wait_for(lambda _truth: owner.station.state.holder is None)
+
+
+def test_where_nothing_is_heard_it_says_so_with_status_1(run):
+    result = run("peak", "60", "60")
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert "No source stands out of the floor here. The dish is back where it was." in result.stderr
+
+
+def test_a_dish_without_a_tuner_is_not_moved(run):
+    result = run("peak", "60", "60", port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 1
+    assert "has no tuner to read. Nothing was sent." in result.stderr
+
+
+def test_beyond_the_limits_it_is_refused(run):
+    result = run("peak", "150", "19")
+    assert result.exit_code == 1
+    assert "below the floor of 18.00°" in result.stderr
