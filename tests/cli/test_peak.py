@@ -44,7 +44,7 @@ def test_through_a_station_the_same_and_control_is_given_back(run, as_json, pty_
 def test_where_nothing_is_heard_it_says_so_with_status_1(run):
     result = run("peak", "60", "60")
     assert (result.exit_code, result.stdout) == (1, "")
-    assert "No source stands out of the floor here. The dish is back where it was." in result.stderr
+    assert "No source stands out of the floor here. The dish is back in the middle of the grid." in result.stderr
 
 
 def test_a_dish_without_a_tuner_is_not_moved(run):

@@ -13,7 +13,7 @@ from birdcage.sim.almanac import geostationary
 from birdcage.sim.settings import SimSettings
 from birdcage.station.events import TaskChanged
 from birdcage.station.requests import AcquireLease, BeginTask, Jog
-from birdcage.station.state import Activity
+from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.task_state import TaskPhase
 
 from tests.station.conftest import Bench
@@ -116,10 +116,18 @@ def test_it_does_not_begin_while_somebody_else_has_control():
     assert bench.moves_since(before) == []
 
 
-def test_values_that_make_no_peak_are_refused():
+@pytest.mark.parametrize("values", [
+    {"az_deg": 150.0}, {"az_deg": "north", "el_deg": 40.0}, {"az_deg": 150.0, "el_deg": 90.0},
+    {"az_deg": math.nan, "el_deg": 40.0}, {"az_deg": 150.0, "el_deg": 40.0, "width_deg": -1.0},
+    {"az_deg": True, "el_deg": 40.0}, {"az_deg": 150.0, "el_deg": math.inf}, {"az": 1.0, "el_deg": 40.0},
+])  # fmt: skip
+def test_values_that_make_no_peak_are_refused_and_the_station_lives_on(values):
     bench = made()
     with pytest.raises(CommandRefused):
-        bench.do(BeginTask("peak", {"az_deg": 150.0}, "you"))
+        bench.do(BeginTask("peak", values, "you"))
+    bench.step(1.0)
+    assert not bench.state.tasks
+    assert bench.state.link.state is LinkPhase.UP
 
 
 def test_the_grid_is_a_way_without_jumps():

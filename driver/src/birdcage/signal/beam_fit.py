@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from statistics import fmean
 
 from birdcage.base.geometry import shortest_turn, wrap_360
 
@@ -28,6 +29,8 @@ LEAST_RISE_SIGMAS = 6.0
 """A source must stand so many standard deviations over the floor."""
 MOST_SIGMA = 0.15
 """A middle that is less sure than this part of the beam's width is none."""
+LEAST_NOISE = 0.002
+"""The noise of one reading counts as this part of the range of levels at least: a source may tell in coarse steps."""
 MOST_BEYOND = 0.35
 """The middle may lie so many widths outside of where it was listened."""
 
@@ -45,6 +48,39 @@ class BeamPoint:
     value: float
     sigma: float
     """Its standard deviation."""
+
+
+@dataclass(frozen=True, slots=True)
+class HeardDirection:
+    """Readings in one direction. Angles in degrees, true."""
+
+    az_deg: float
+    el_deg: float
+    values: Sequence[float]
+
+    @property
+    def mean(self) -> float:
+        """Their mean."""
+        return fmean(self.values)
+
+
+def beam_points(heard: Sequence[HeardDirection], noise: float, *, decibels: bool = False) -> list[BeamPoint]:
+    """Return what to fit; `noise` is the standard deviation of one reading, decibels become powers.
+
+    Nothing where all levels are alike and without noise, as those of a tuner that is off.
+    """
+    means = [each.mean for each in heard]
+    noise = max(noise, LEAST_NOISE * (max(means, default=0.0) - min(means, default=0.0)))
+    if not noise:
+        return []
+    points = []
+    for each, mean in zip(heard, means, strict=True):
+        sigma = noise / math.sqrt(len(each.values))
+        level = 10.0 ** ((mean - max(means)) / 10.0) if decibels else mean
+        points.append(
+            BeamPoint(each.az_deg, each.el_deg, level, sigma * level * math.log(10.0) / 10.0 if decibels else sigma)
+        )
+    return points
 
 
 @dataclass(frozen=True, slots=True)

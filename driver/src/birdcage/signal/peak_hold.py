@@ -12,7 +12,7 @@ from enum import Enum
 from statistics import fmean
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.signal.beam_fit import LEAST_POINTS, BeamFit, BeamPoint, fit_beam
+from birdcage.signal.beam_fit import LEAST_POINTS, BeamFit, HeardDirection, beam_points, fit_beam
 from birdcage.signal.source import Scale
 
 SPELL_S = 1.0
@@ -31,8 +31,6 @@ MOST_COUNTED = 20
 """Readings of one direction that count when it is compared with another."""
 KEPT_PLACES = 60
 """Directions of which the levels are kept, for the fit: the last ones."""
-LEAST_NOISE = 0.002
-"""The noise of one reading counts as this part of the range of levels at least: a source may tell in coarse steps."""
 CLEAR = 4.0
 """A peak must stand so many times the noise over the floor, before it is said which part of it is heard."""
 SURE = 2.5
@@ -100,7 +98,7 @@ class PeakHold:
     """Of one source."""
 
     def __init__(self, scale: Scale | None) -> None:
-        """With `Scale.LOG` values are decibels, else proportional to power, as far as anybody knows."""
+        """With `Scale.LOG` values are decibels; any other scale counts as proportional to power."""
         self._scale = scale
         self.forget()
 
@@ -173,17 +171,11 @@ class PeakHold:
         noise, heard = self._noise, [*self._left, *filter(None, [self._here])]
         if noise is None or len(heard) < LEAST_POINTS:
             return None
-        means = [fmean(each.values) for each in heard]
-        top, range_ = max(means), max(means) - min(means)
-        points = []
-        for each, mean in zip(heard, means, strict=True):
-            sigma = max(noise, LEAST_NOISE * range_) / math.sqrt(len(each.values))
-            if self._scale is Scale.LOG:
-                mean = self._power(mean - top)  # noqa: PLW2901 - the same level, in powers
-                sigma *= mean * math.log(10.0) / 10.0
-            if each.az_deg is not None and each.el_deg is not None and sigma > 0.0:
-                points.append(BeamPoint(each.az_deg, each.el_deg, mean, sigma))
-        return fit_beam(points, beam_deg)
+        known = [
+            HeardDirection(each.az_deg, each.el_deg, each.values)
+            for each in heard if each.az_deg is not None and each.el_deg is not None
+        ]  # fmt: skip
+        return fit_beam(beam_points(known, noise, decibels=self._scale is Scale.LOG), beam_deg)
 
     @property
     def _noise(self) -> float | None:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from statistics import fmean
 
 from birdcage.base.geometry import wrap_360
 from birdcage.rotator.feature import RSSI, Value
-from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, BeamPoint, fit_beam
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, BeamPoint, HeardDirection, beam_points, fit_beam
 from birdcage.station.task import ItemTask
 from birdcage.tracking.steps import PointAt, ReadFeatures, Steps
 
@@ -19,24 +18,13 @@ SPACING = 0.35
 """From one to the next, in widths of the beam: all of them together reach 0.7 widths to each side."""
 READS = 4
 """Readings of the signal in one direction."""
-LEAST_NOISE = 0.002
-"""The noise of one reading counts as this part of the range of levels at least: a tuner tells whole counts."""
-NO_PEAK = "No source stands out of the floor here. The dish is back where it was."
+NO_PEAK = "No source stands out of the floor here. The dish is back in the middle of the grid."
 LOST = "The signal could not be read."
-
-
-@dataclass(frozen=True, slots=True)
-class _Heard:
-    """What was heard in one direction: true degrees, as the dish was read there."""
-
-    az_deg: float
-    el_deg: float
-    values: tuple[float, ...]
 
 
 @dataclass
 class PeakTask(ItemTask[tuple[float, float]]):
-    """Goes through a grid about a true direction, row by row, and ends in the middle of the source, or at its start.
+    """Goes through a grid about a true direction, row by row, and ends in the middle of the source, or of the grid.
 
     Angles in degrees; `width_deg` is the width of the beam that is expected, 0 for an unknown one.
     """
@@ -49,8 +37,15 @@ class PeakTask(ItemTask[tuple[float, float]]):
     az_deg: float
     el_deg: float
     width_deg: float = 0.0
-    _heard: list[_Heard] = field(default_factory=list, init=False)
+    _heard: list[HeardDirection] = field(default_factory=list, init=False)
     _fit: BeamFit | None = field(default=None, init=False)
+
+    def __post_init__(self) -> None:
+        """Raise TypeError, which refuses the task, for values that make no grid: they may come from another program."""
+        for name, low, high in (("az_deg", -720.0, 720.0), ("el_deg", -85.0, 85.0), ("width_deg", 0.0, 60.0)):
+            value = getattr(self, name)
+            if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
+                raise TypeError(f"{name} is {value!r}. Give a number from {low:g} to {high:g}")
 
     def items(self) -> Sequence[tuple[float, float]]:
         """Return the directions: to and fro, so that each is next to the one before."""
@@ -72,10 +67,10 @@ class PeakTask(ItemTask[tuple[float, float]]):
             if told is not None:
                 values.append(float(told.value))
         if values and there.true_az_deg is not None and there.true_el_deg is not None:
-            self._heard.append(_Heard(there.true_az_deg, there.true_el_deg, tuple(values)))
+            self._heard.append(HeardDirection(there.true_az_deg, there.true_el_deg, tuple(values)))
 
     def finish(self) -> Steps:
-        """Fit, and go to the middle of the source; back to where it began if there is none."""
+        """Fit, and go to the middle of the source; to that of the grid if there is none."""
         self._fit = fit_beam(self._points(), self.width_deg or None)
         if self._fit is None:
             yield PointAt(self.az_deg, self.el_deg)
@@ -83,19 +78,9 @@ class PeakTask(ItemTask[tuple[float, float]]):
             yield PointAt(self._fit.az_deg, self._fit.el_deg)
 
     def _points(self) -> list[BeamPoint]:
-        means = [fmean(each.values) for each in self._heard]
-        squares = [(value - mean) ** 2 for each, mean in zip(self._heard, means, strict=True) for value in each.values]
-        free = len(squares) - len(means)
-        noise = max(
-            math.sqrt(sum(squares) / free) if free > 0 else 0.0,
-            LEAST_NOISE * (max(means) - min(means)) if means else 0.0,
-        )
-        if not noise:
-            return []  # as of a tuner that is off: all alike
-        return [
-            BeamPoint(each.az_deg, each.el_deg, mean, noise / math.sqrt(len(each.values)))
-            for each, mean in zip(self._heard, means, strict=True)
-        ]
+        squares = [(value - each.mean) ** 2 for each in self._heard for value in each.values]
+        free = len(squares) - len(self._heard)
+        return beam_points(self._heard, math.sqrt(sum(squares) / free) if free > 0 else 0.0)
 
     @property
     def found(self) -> Mapping[str, Value]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 
+from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
@@ -20,7 +21,7 @@ from birdcage_tui.widgets.skew import has_skew
 class PocketPage(Page):
     """One column, or readings beside the sky where it is wide; every row is given by `arrange`."""
 
-    WATCHES = frozenset({"position", "signal steadily"})
+    WATCHES = frozenset({"position", STEADY})
     RATE_HZ = 2.0
     HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes."
 

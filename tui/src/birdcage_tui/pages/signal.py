@@ -7,6 +7,7 @@ from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
 
 from birdcage_tui.control.jog import JogPane
+from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
@@ -38,7 +39,7 @@ class SignalPage(Page):
     SignalPage SignalPane { height: 1fr; }
     SignalPage ReceiverPane { height: 4; }
     """
-    WATCHES = frozenset({"position", "signal steadily", *FEATURES})
+    WATCHES = frozenset({"position", STEADY, *FEATURES})
     RATE_HZ = 1.0
     HELP = "The signal, read as often as the wire allows. Arrows step the dish; p offers the way back to the peak."
 
@@ -105,7 +106,7 @@ class SignalPage(Page):
                     self.host.open_goto(f"{to[0]:.2f} {to[1]:.2f}")
             case "signal-forget":
                 self.host.signals.book.forget_peak()
-                self.host.say("Peak and floor are forgotten. They are heard anew.")
+                self.host.say("Peak and floor forgotten.")
             case "signal-tone":
                 self._switch_tone()
             case _:

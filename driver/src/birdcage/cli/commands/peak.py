@@ -30,8 +30,9 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
     """Find the middle of a source by its signal, and point there. Ctrl+C stops it.
 
     The dish goes through 25 directions around TARGET, or around where it points now, and reads its own tuner in each. A
-    beam is fitted to all of them; the dish ends in its middle. Without a source there it goes back, and the exit status
-    is 1. The ± counts noise alone: a neighbour in the arc pulls the middle by some tenths of a degree.
+    beam is fitted to all of them; the dish ends in its middle. Without a source it goes back to the middle of the grid,
+    and the exit status is 1. The ± counts noise alone: a neighbour in the arc pulls the middle by some tenths of a
+    degree.
     """
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.commands.move import direction_to
@@ -63,6 +64,7 @@ def _find(dish: StationCommand, az_deg: float, el_deg: float, width_deg: float) 
     """Have the station do it, show how far it is, and return how it ended. BirdcageError where it can't be begun."""
     from birdcage.base.errors import BirdcageError, CommandRefused
     from birdcage.base.reason import Reason
+    from birdcage.signal.peak_task import PeakTask
     from birdcage.station.events import TaskChanged
     from birdcage.station.requests import BeginTask
     from birdcage.station.task_state import TaskPhase
@@ -70,22 +72,24 @@ def _find(dish: StationCommand, az_deg: float, el_deg: float, width_deg: float) 
     facts = dish.state.dish
     if facts is not None and not facts.has_rssi:
         raise CommandRefused(f"The {facts.name} has no tuner to read. Nothing was sent.", reason=Reason.UNSUPPORTED)
-    ended: list[TaskState] = []
+    ended: dict[int, TaskState] = {}
+    """By number: another program may have a peak of its own, and this one may be over before its number is known."""
 
     def hear(event: Event) -> None:
-        if isinstance(event, TaskChanged) and event.task.kind == "peak" and event.task.holder.startswith(HOLDER):
+        if isinstance(event, TaskChanged) and event.task.kind == PeakTask.kind:
             dish.progress.show(f"{event.task.done or 0} of {event.task.of} directions heard …")
             if event.task.phase is TaskPhase.OVER:
-                ended.append(event.task)
+                ended[event.task.number] = event.task
 
     values = {"az_deg": az_deg, "el_deg": el_deg, "width_deg": width_deg}
-    dish.ask(BeginTask("peak", values, HOLDER), 30.0, hear)
+    number = dish.ask(BeginTask(PeakTask.kind, values, HOLDER), 30.0, hear)
+    assert isinstance(number, int), "a task that has begun has one"
     deadline = dish.now + TAKES_S
-    while not ended:
+    while number not in ended:
         if dish.now > deadline:
             raise BirdcageError(f"No peak within {TAKES_S:.0f} s.", reason=Reason.TIMEOUT)
         dish.look(hear)
     dish.progress.clear()
-    if not ended[0].is_done:
-        raise BirdcageError(ended[0].why)
-    return ended[0]
+    if not ended[number].is_done:
+        raise BirdcageError(ended[number].why)
+    return ended[number]
