@@ -15,7 +15,7 @@ from birdcage.base.clock import RealClock
 from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
-from birdcage.signal.peak_task import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import SIGNAL_TASKS
 from birdcage.station.build import open_session
 from birdcage.station.control_client import find_owners, owner_file, owners_folder
 from birdcage.station.control_server import ControlServer

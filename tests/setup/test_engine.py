@@ -132,14 +132,22 @@ def test_skip_back_and_go(house):
     assert house.marks()["feed"] == "done"
 
 
-def test_finished_counts_done_skipped_and_later(house):
-    assert not house.setup.finished
-    for name in NAMES[:-1]:
+def test_finished_counts_done_and_skipped(house):
+    for name in NAMES:
         assert not house.setup.finished
+        house.setup.skip(name)
+    assert house.setup.finished
+    assert house.marks()["first"] == "skipped"
+
+
+def test_on_a_dish_without_a_tuner_the_first_satellite_is_for_later(build):
+    house = build("hal205?seed=1").up()
+    for name in NAMES[:-1]:
         house.setup.skip(name)
     assert house.setup.finished
     assert house.marks()["first"] == "later"
     assert house.setup.current == "first"
+    assert "This dish has no tuner of its own to search with." in house.view("first").words
 
 
 def test_a_damaged_file_is_said_and_left_alone(house):

@@ -315,18 +315,40 @@ class TestDirection:
 
 
 class TestFirst:
-    def test_points_where_the_highest_slot_stands_once_north_is_set(self, house):
+    def test_points_where_the_easiest_slot_stands_once_north_is_set(self, house):
         assert "point" not in {choice.name for choice in house.view("first").choices}
         house.setup.clear()
         house.choose("place", "typed", **PLACE)
         house.choose("north", "typed", az_offset_deg="0")
-        assert house.view("first").evidence == "Galaxy 3C (95°W) expected at 178.9 / 44.8"
+        assert house.view("first").evidence == "EchoStar 10 (110°W) expected at 202.0 / 42.4"
         house.choose("first", "point")
-        assert house.looks_at() == (pytest.approx(178.9, abs=0.1), pytest.approx(44.8, abs=0.1))
-        assert house.marks()["first"] == "later"
+        assert house.looks_at() == (pytest.approx(202.0, abs=0.1), pytest.approx(42.4, abs=0.1))
+        assert house.marks()["first"] == "todo"
 
-    def test_says_what_comes_later(self, house):
-        assert any("come in a later version" in words for words in house.view("first").words)
+    def test_what_is_no_satellite_is_refused_and_nothing_moves(self, house):
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("north", "typed", az_offset_deg="0")
+        before = len(house.moves())
+        for typed in ("19.2E", "moon", "119"):
+            with pytest.raises(NoSuchChoice, match="is no satellite of the list that is up here"):
+                house.setup.choose("first", "search", {"slot": typed})
+        assert len(house.moves()) == before
+
+    def test_stop_ends_the_search_and_says_so(self, house):
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("north", "typed", az_offset_deg="0")
+        house.setup.choose("first", "search", {"slot": "61.5W"})
+        house.run(6)
+        house.station.stop("you")
+        house.until(lambda: not house.setup.busy)
+        view = house.view("first")
+        assert view.mark.value == "failed"
+        assert "No satellite was found." in view.evidence
+        before = len(house.moves())
+        house.run(10)
+        assert len(house.moves()) == before
 
 
 def test_a_fault_of_the_station_is_a_failed_step(house):

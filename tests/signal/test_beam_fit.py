@@ -109,12 +109,28 @@ def test_beside_an_equal_neighbour_it_is_found_where_that_is_known():
     for _ in range(40):
         points = with_neighbour(rng, 150.0, 150.0)
         alone.append(fit_beam(points, 6.0))
-        together.append(off_deg(fit_beam(points, 6.0, [(9.5, 0.0)])))
+        together.append(off_deg(fit_beam(points, 6.0, [[(9.5, 0.0)]])))
     assert statistics.median(together) < 0.1
     assert all(fit is None or off_deg(fit) > 0.2 for fit in alone)
 
 
+def test_beside_a_stronger_neighbour_near_by_it_is_the_one_that_is_sought_that_is_found():
+    rng, offs = random.Random(9), []
+    for _ in range(40):
+        fit = fit_beam(with_neighbour(rng, 100.0, 145.0, right_deg=4.3), 6.0, [[(4.3, 0.0)]])
+        offs.append(off_deg(fit))
+    assert statistics.median(offs) < 0.15
+
+
+def test_of_several_patterns_the_one_that_is_there_counts():
+    rng, there, offs = random.Random(10), [(4.3, 0.0)], []
+    for _ in range(40):
+        points = with_neighbour(rng, 145.0, 100.0, right_deg=4.3)
+        offs.append(off_deg(fit_beam(points, 6.0, [[], [(9.5, 0.5)], there, [(-4.3, 0.0)], [(2.0, -3.0)]])))
+    assert statistics.median(offs) < 0.15
+
+
 def test_a_neighbour_that_is_not_there_costs_little():
     rng = random.Random(8)
-    offs = [off_deg(fit_beam(grid(rng, 150.0), 6.0, [(9.5, 0.0), (-12.0, 1.0)])) for _ in range(40)]
+    offs = [off_deg(fit_beam(grid(rng, 150.0), 6.0, [[(9.5, 0.0), (-12.0, 1.0)]])) for _ in range(40)]
     assert statistics.median(offs) < 0.06

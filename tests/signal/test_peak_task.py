@@ -8,7 +8,8 @@ from itertools import pairwise
 import pytest
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
-from birdcage.signal.peak_task import NO_PEAK, SIGNAL_TASKS, PeakTask
+from birdcage.signal.peak_task import NO_PEAK, PeakTask
+from birdcage.signal.signal_tasks import SIGNAL_TASKS
 from birdcage.sim.almanac import geostationary
 from birdcage.sim.settings import SimSettings
 from birdcage.station.events import TaskChanged

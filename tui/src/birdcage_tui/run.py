@@ -19,7 +19,7 @@ from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
-from birdcage.signal.peak_task import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import SIGNAL_TASKS
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports

@@ -77,6 +77,23 @@ def remove_set(path: Path, name: str) -> AlignmentSets:
     return _sets(path, _FILE.delete(path, name))
 
 
+def north_settings(
+    now: AlignmentSettings, az_offset_deg: float, el_offset_deg: float | None
+) -> tuple[dict[str, Value], str]:  # fmt: skip
+    """Return what to write to set north by one direction, and a remark on what goes by that; empty for none.
+
+    `el_offset_deg` of None leaves that as it is. Tilt and collimation go: they were fitted together with the offsets,
+    and to a base that stood otherwise.
+    """
+    changes: dict[str, Value] = {"alignment.az_offset_deg": az_offset_deg}
+    if el_offset_deg is not None:
+        changes["alignment.el_offset_deg"] = el_offset_deg
+    if not (now.ca_deg or now.an_deg or now.aw_deg):
+        return changes, ""
+    changes |= dict.fromkeys(f"alignment.{name}" for name in ("active", "ca_deg", "an_deg", "aw_deg"))
+    return changes, "; the tilt of the last calibration is dropped"
+
+
 def alignment_settings(entry: AlignmentSet) -> dict[str, Value]:
     """Return what `base.config.edit` has to write so that this set counts."""
     return {"alignment.active": entry.name, **{f"alignment.{term}": getattr(entry, term) for term in TERMS}}

@@ -202,7 +202,7 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
-    from birdcage.signal.peak_task import SIGNAL_TASKS
+    from birdcage.signal.signal_tasks import SIGNAL_TASKS
     from birdcage.station.build import open_session
 
     known = list_firmwares()

@@ -15,6 +15,12 @@ Value = float | str | bool
 
 RSSI = "rssi"
 """The signal strength of the machine's own tuner."""
+LOCK, SNR, NETWORK = "lock", "snr", "network"
+"""Whether that tuner has locked, its signal-to-noise ratio in dB, and whose transponder it hears."""
+TRANSPONDER = "transponder"
+"""Which channel of its list the tuner is set to."""
+NO_NETWORK = "none"
+"""The value of `NETWORK` where none is heard."""
 VERSION = "version"
 """Of its firmware."""
 SETTINGS = "settings"

@@ -11,7 +11,7 @@ times worse (`tests/signal/test_beam_fit.py`). Plain Python: some dozens of poin
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from statistics import fmean
 
@@ -33,6 +33,9 @@ LEAST_NOISE = 0.002
 """The noise of one reading counts as this part of the range of levels at least: a source may tell in coarse steps."""
 MOST_BEYOND = 0.35
 """The middle may lie so many widths outside of where it was listened."""
+
+EQUAL = 6.0
+"""Fits whose criteria differ by no more are equals."""
 
 FLOOR, WIDTH, RISE = 2, 3, 4
 """Where these stand among the unknowns; the strengths of neighbours follow the source's own."""
@@ -97,40 +100,64 @@ class BeamFit:
     """Full width at half height, as the source of the signal shows it: in counts it is no beam in decibels."""
     points: int
 
+    @property
+    def words(self) -> str:
+        """Say where the middle is, how sure that is, and how far the signal rises."""
+        return f"Peak at {self.az_deg:.2f}°/{self.el_deg:.2f}° ±{self.sigma_deg:.2f}°, {self.rise:.0f} over the floor."
+
+    def values(self) -> dict[str, float]:
+        """Return all by name, for other programs."""
+        return {
+            "az_deg": self.az_deg, "el_deg": self.el_deg, "sigma_deg": self.sigma_deg, "rise": self.rise,
+            "floor": self.floor, "width_deg": self.width_deg, "points": self.points,
+        }  # fmt: skip
+
+
+Pattern = Sequence[tuple[float, float]]
+"""Sources beside the one that is sought: how far right of it each stands, and above it, in degrees on the sky."""
+
 
 def fit_beam(
-    points: Sequence[BeamPoint], width_deg: float | None, neighbours: Sequence[tuple[float, float]] = ()
+    points: Sequence[BeamPoint], width_deg: float | None, patterns: Sequence[Pattern] = ((),)
 ) -> BeamFit | None:
     """Return the fit; None where the points do not tell the middle of a source.
 
-    `width_deg` is the width that is expected, by theory or by an earlier measurement. `neighbours` are other sources
-    that may be heard: how far right of the one that is sought, and above it, in degrees on the sky. Each is fitted with
-    a strength of its own.
+    `width_deg` is the width that is expected, by theory or by an earlier measurement. `patterns` are what may be heard
+    beside the source, each source with a strength of its own: one where it is known which source is sought, several
+    where it is not. Then the pattern that fits best counts, as Akaike's criterion weighs what is free in it; among
+    equals the stronger source.
     """
-    if len(points) < LEAST_POINTS + len(neighbours):
+    fits = [(cost + 2.0 * len(pattern), fit) for pattern in patterns for cost, fit in _fits(points, width_deg, pattern)]
+    if not fits:
         return None
+    least = min(cost for cost, _fit in fits)
+    return max((fit for cost, fit in fits if cost <= least + EQUAL), key=lambda fit: fit.rise)
+
+
+def _fits(
+    points: Sequence[BeamPoint], width_deg: float | None, neighbours: Pattern
+) -> Iterator[tuple[float, BeamFit]]:  # fmt: skip
+    """Yield chi squared and fit, for each source of a pattern being the strongest that was heard."""
+    if len(points) < LEAST_POINTS + len(neighbours):
+        return
     best = max(points, key=lambda each: each.value)
     cos = math.cos(math.radians(best.el_deg))
-    model = _Model(
-        points, [(shortest_turn(best.az_deg, each.az_deg) * cos, each.el_deg - best.el_deg) for each in points],
-        ((0.0, 0.0), *neighbours), min(each.value for each in points), best.value, width_deg,
-    )  # fmt: skip
-    found = _solve(model)
-    if found is None:
-        return None
-    (across, up, floor, log_width, rise, *_), covariance, cost = found
-    width, scale = math.exp(log_width), max(1.0, cost / max(1, len(points) - len(covariance)))
-    sigma = math.sqrt(scale * max(covariance[0][0], covariance[1][1]))
-    clear = rise > LEAST_RISE_SIGMAS * math.sqrt(scale * covariance[RISE][RISE])
-    beyond = MOST_BEYOND * width
-    inside = (
-        min(x for x, _ in model.offsets) - beyond <= across <= max(x for x, _ in model.offsets) + beyond
-        and min(y for _, y in model.offsets) - beyond <= up <= max(y for _, y in model.offsets) + beyond
-    )
-    if not (clear and inside and sigma < MOST_SIGMA * width):
-        return None
-    az_deg = wrap_360(best.az_deg + across / cos)
-    return BeamFit(az_deg, best.el_deg + up, sigma, rise, floor, width, len(points))
+    offsets = [(shortest_turn(best.az_deg, each.az_deg) * cos, each.el_deg - best.el_deg) for each in points]
+    beyond = MOST_BEYOND * (width_deg or ASSUMED_WIDTH_DEG)
+    for strongest in range(len(neighbours) + 1):
+        model = _Model(points, offsets, ((0.0, 0.0), *neighbours), strongest, width_deg)
+        if not model.holds(model.start[0], model.start[1], beyond):
+            continue
+        found = _solve(model)
+        if found is None:
+            continue
+        (across, up, floor, log_width, rise, *_), covariance, cost = found
+        width, scale = math.exp(log_width), max(1.0, cost / max(1, len(points) - len(covariance)))
+        sigma = math.sqrt(scale * max(covariance[0][0], covariance[1][1]))
+        clear = rise > LEAST_RISE_SIGMAS * math.sqrt(scale * covariance[RISE][RISE])
+        if clear and model.holds(across, up, MOST_BEYOND * width) and sigma < MOST_SIGMA * width:
+            az_deg = wrap_360(best.az_deg + across / cos)
+            yield cost, BeamFit(az_deg, best.el_deg + up, sigma, rise, floor, width, len(points))
 
 
 class _Model:
@@ -138,14 +165,25 @@ class _Model:
 
     def __init__(
         self, points: Sequence[BeamPoint], offsets: Sequence[tuple[float, float]],
-        sources: Sequence[tuple[float, float]], low: float, high: float, width_deg: float | None,
+        sources: Sequence[tuple[float, float]], strongest: int, width_deg: float | None,
     ) -> None:  # fmt: skip
-        self.points, self.offsets, self._sources = points, offsets, sources
+        """`offsets` of the points from the strongest of them, which is taken to be the source of that number."""
+        self.points, self._offsets, self._sources = points, offsets, sources
+        low, high = min(each.value for each in points), max(each.value for each in points)
         expected = math.log(ASSUMED_WIDTH_DEG if width_deg is None else width_deg)
-        self.start = [0.0, 0.0, low, expected, high - low, *([0.0] * (len(sources) - 1))]
+        right_deg, above_deg = sources[strongest]
+        rises = [(high - low) * (index == strongest) for index in range(len(sources))]
+        self.start = [-right_deg, -above_deg, low, expected, *rises]
         self._priors = {WIDTH: (expected, UNKNOWN_PRIOR if width_deg is None else WIDTH_PRIOR)}
         # A neighbour out of hearing has the strength of nothing, and no more than the strongest level.
         self._priors |= {RISE + each: (0.0, high - low or 1.0) for each in range(1, len(sources))}
+
+    def holds(self, across_deg: float, up_deg: float, beyond_deg: float) -> bool:
+        """Return whether that is where it was listened, or so little beyond."""
+        return all(
+            min(each) - beyond_deg <= value <= max(each) + beyond_deg
+            for value, each in zip((across_deg, up_deg), zip(*self._offsets, strict=True), strict=True)
+        )
 
     def allows(self, unknowns: Row) -> bool:
         """Return whether the width is not a twentieth, or twenty times what is expected."""
@@ -160,7 +198,7 @@ class _Model:
             normal[index][index] += 1.0 / sigma**2
             right[index] += (expected - unknowns[index]) / sigma**2
             cost += ((unknowns[index] - expected) / sigma) ** 2
-        for point, (x, y) in zip(self.points, self.offsets, strict=True):
+        for point, (x, y) in zip(self.points, self._offsets, strict=True):
             row = [0.0, 0.0, 1.0, 0.0] + [0.0] * len(self._sources)
             level = unknowns[FLOOR]
             for index, (right_deg, above_deg) in enumerate(self._sources, RISE):

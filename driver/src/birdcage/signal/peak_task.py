@@ -7,17 +7,16 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from birdcage.base.geometry import wrap_360
-from birdcage.rotator.feature import RSSI, Value
-from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, BeamPoint, HeardDirection, beam_points, fit_beam
+from birdcage.rotator.feature import Value
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection, beam_points, fit_beam
+from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in, noise_of
 from birdcage.station.task import ItemTask
-from birdcage.tracking.steps import PointAt, ReadFeatures, Steps
+from birdcage.tracking.steps import PointAt, Steps
 
 SIDE = 5
 """Directions in a row of the grid, and rows."""
 SPACING = 0.35
 """From one to the next, in widths of the beam: all of them together reach 0.7 widths to each side."""
-READS = 4
-"""Readings of the signal in one direction."""
 NO_PEAK = "No source stands out of the floor here. The dish is back in the middle of the grid."
 LOST = "The signal could not be read."
 
@@ -26,7 +25,10 @@ LOST = "The signal could not be read."
 class PeakTask(ItemTask[tuple[float, float]]):
     """Goes through a grid about a true direction, row by row, and ends in the middle of the source, or of the grid.
 
-    Angles in degrees; `width_deg` is the width of the beam that is expected, 0 for an unknown one.
+    Angles in degrees; `width_deg` is the width of the beam that is expected, 0 for an unknown one. `patterns` are
+    the sources that may be heard beside this one: how far right of it and above it on the sky, one after the other in a
+    row; several rows where it is not known which source this is. `partial`: directions
+    beyond the limits are left out; else they end it.
     """
 
     kind = "peak"
@@ -37,15 +39,17 @@ class PeakTask(ItemTask[tuple[float, float]]):
     az_deg: float
     el_deg: float
     width_deg: float = 0.0
+    patterns: tuple[tuple[float, ...], ...] = ((),)
+    partial: bool = False
     _heard: list[HeardDirection] = field(default_factory=list, init=False)
     _fit: BeamFit | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
         """Raise TypeError, which refuses the task, for values that make no grid: they may come from another program."""
-        for name, low, high in (("az_deg", -720.0, 720.0), ("el_deg", -85.0, 85.0), ("width_deg", 0.0, 60.0)):
-            value = getattr(self, name)
-            if isinstance(value, bool) or not isinstance(value, int | float) or not low <= value <= high:
-                raise TypeError(f"{name} is {value!r}. Give a number from {low:g} to {high:g}")
+        check_number("az_deg", self.az_deg, -720.0, 720.0)
+        check_number("el_deg", self.el_deg, -85.0, 85.0)
+        check_number("width_deg", self.width_deg, 0.0, 60.0)
+        check_patterns(self.patterns)
 
     def items(self) -> Sequence[tuple[float, float]]:
         """Return the directions: to and fro, so that each is next to the one before."""
@@ -60,51 +64,31 @@ class PeakTask(ItemTask[tuple[float, float]]):
 
     def do(self, item: tuple[float, float]) -> Steps:
         """Point there, and read the signal."""
-        there = yield PointAt(*item)
-        values = []
-        for _ in range(READS):
-            told = (yield ReadFeatures((RSSI,))).readings.get(RSSI)
-            if told is not None:
-                values.append(float(told.value))
-        if values and there.true_az_deg is not None and there.true_el_deg is not None:
-            self._heard.append(HeardDirection(there.true_az_deg, there.true_el_deg, tuple(values)))
+        heard = yield from listen_at(*item, optional=self.partial)
+        if heard is not None:
+            self._heard.append(heard)
 
     def finish(self) -> Steps:
         """Fit, and go to the middle of the source; to that of the grid if there is none."""
-        self._fit = fit_beam(self._points(), self.width_deg or None)
+        points = beam_points(self._heard, noise_of(self._heard))
+        self._fit = fit_beam(points, self.width_deg or None, [neighbours_in(row) for row in self.patterns])
         if self._fit is None:
             yield PointAt(self.az_deg, self.el_deg)
         else:
             yield PointAt(self._fit.az_deg, self._fit.el_deg)
 
-    def _points(self) -> list[BeamPoint]:
-        squares = [(value - each.mean) ** 2 for each in self._heard for value in each.values]
-        free = len(squares) - len(self._heard)
-        return beam_points(self._heard, math.sqrt(sum(squares) / free) if free > 0 else 0.0)
-
     @property
     def found(self) -> Mapping[str, Value]:
         """The middle of the source, with its standard deviation on the sky, its rise over the floor, and that."""
-        fit = self._fit
-        if fit is None:
-            return {}
-        return {
-            "az_deg": fit.az_deg, "el_deg": fit.el_deg, "sigma_deg": fit.sigma_deg, "rise": fit.rise,
-            "floor": fit.floor, "width_deg": fit.width_deg, "points": fit.points,
-        }  # fmt: skip
+        return {} if self._fit is None else self._fit.values()
 
     @property
     def end_words(self) -> str:
         """Say where the middle is, or that there is none."""
         if self._fit is None:
             return NO_PEAK if self._heard else LOST
-        fit = self._fit
-        return f"Peak at {fit.az_deg:.2f}°/{fit.el_deg:.2f}° ±{fit.sigma_deg:.2f}°, {fit.rise:.0f} over the floor."
+        return self._fit.words
 
     def result(self) -> BeamFit | None:
         """Return the fit; None where there is no source."""
         return self._fit
-
-
-SIGNAL_TASKS: Mapping[str, type[ItemTask[tuple[float, float]]]] = {PeakTask.kind: PeakTask}
-"""What a station is given so that faces may ask for it (`BeginTask`)."""

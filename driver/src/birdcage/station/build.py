@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import fields
 from functools import partial
 from types import MappingProxyType
-from typing import Any
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.clock import Clock
@@ -28,7 +27,7 @@ from birdcage.station.record import keep_journal
 from birdcage.station.session import Session
 from birdcage.station.settings import SettingsFile, StationSettings, rules_from, site_from
 from birdcage.station.station import Station
-from birdcage.station.task import ItemTask
+from birdcage.station.task import Task
 from birdcage.station.wear import keep_wear
 
 CLOSE_S = 0.2
@@ -49,7 +48,7 @@ def open_session(
     identify: Callable[[str], str | None] | None = None,
     antenna: BirdcageAntenna | None = None,
     load: Callable[[], Settings] | None = None,
-    tasks: Mapping[str, type[ItemTask[Any]]] = MappingProxyType({}),
+    tasks: Mapping[str, type[Task]] = MappingProxyType({}),
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 

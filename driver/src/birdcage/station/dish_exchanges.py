@@ -8,6 +8,7 @@ from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
+from birdcage.tracking.steps import ReadFeatures, WriteFeature
 
 
 class DishExchanges:
@@ -38,12 +39,14 @@ class DishExchanges:
             self._parts.reader.position()
         self._mover.activity(Activity.IDLE, "")
 
-    def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
-        """Read features, and come back to the motor menu."""
+    def features(self, step: ReadFeatures | WriteFeature) -> Mapping[str, Reading]:
+        """Read features, or set one, and come back to the motor menu."""
         reader, rotator = self._parts.reader, self._antenna.rotator
         reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
         try:
-            readings = rotator.read(ids)
+            if isinstance(step, WriteFeature):
+                return {step.id: rotator.write(step.id, step.value)}
+            readings = rotator.read(step.ids)
         finally:
             if rotator.is_open:
                 rotator.make_ready()

@@ -8,6 +8,7 @@
     Mapping                         an object; numbers as keys are text
     dataclass, NamedTuple           an object with all its fields; one with a default may be left out when read
     Path                            text
+    rows of numbers                 lists in a list
     a feature's value               a number, text, or true and false; text of several lines is a list of them
     Range                           its ends; one without an end has null there
     AnyJson                         itself, unread: whoever takes it reads it
@@ -56,6 +57,7 @@ from birdcage.station.plan_outline import PlanOutline, outline
 
 _WHOLE_KEY = re.compile(r"-?\d{1,15}", re.ASCII)
 _VALUE = frozenset(get_args(Value))
+Rows = tuple[tuple[float, ...], ...]
 IMPORTED = {
     "Refraction": "tracking.planning.refraction", "Skew": "sky.skew", "Downlink": "sky.downlinks",
     "ElementError": "sky.element_error", "Day": "tracking.day", "PointingError": "tracking.pointing_error",
@@ -77,8 +79,11 @@ def shape_of(kind: Any) -> Shape:
     origin, arguments = get_origin(kind), get_args(kind)
     if origin in (Union, types.UnionType):
         rest = frozenset(arguments) - {type(None)}
-        is_value = len(rest) > 1 and rest <= _VALUE
-        inner: Shape = FeatureValueShape() if is_value else shape_of(*rest)
+        inner: Shape
+        if rest == _VALUE | {Rows}:
+            inner = RowsOrValueShape()
+        else:
+            inner = FeatureValueShape() if len(rest) > 1 and rest <= _VALUE else shape_of(*rest)
         return OptionalShape(inner) if len(rest) < len(arguments) else inner
     if origin is Literal:
         return ChoiceShape({each: each for each in arguments})
@@ -152,6 +157,25 @@ class ListShape:
         if not isinstance(told, list):
             raise unfit(told, where, self)
         return self._make(self._item.take(each, f"{where}[{at}]") for at, each in enumerate(told))
+
+
+class RowsOrValueShape:
+    """The value of a feature, or rows of numbers."""
+
+    words = "a number, text, true or false, or a list of lists of numbers"
+
+    def __init__(self) -> None:
+        self._rows = ListShape(ListShape(NUMBER, tuple), tuple)
+        self._value = FeatureValueShape()
+
+    def tell(self, value: Any, where: str) -> object:
+        """Return it; rows as lists."""
+        return (self._rows if isinstance(value, tuple) else self._value).tell(value, where)
+
+    def take(self, told: object, where: str) -> Any:
+        """Return it; lists of lists as rows. Text of several lines is a list of text."""
+        is_rows = isinstance(told, list) and all(isinstance(each, list) for each in told)
+        return (self._rows if is_rows else self._value).take(told, where)
 
 
 class RowShape:

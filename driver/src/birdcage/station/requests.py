@@ -15,6 +15,10 @@ if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
 
 
+TaskValue = Value | tuple[tuple[float, ...], ...]
+"""What a task may be told: a value, or rows of numbers."""
+
+
 @dataclass(frozen=True, slots=True)
 class Goto:
     """Point there, exactly, once. Its future resolves at arrival with a `Pointing`."""
@@ -103,7 +107,7 @@ class BeginTask:
     """
 
     kind: str
-    values: Mapping[str, Value]
+    values: Mapping[str, TaskValue]
     """By the names of its fields."""
     holder: str
     asked: bool = True

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
 
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.config import FeedProfile, Settings
@@ -14,7 +13,7 @@ from birdcage.link.link import Link
 from birdcage.rotator.mapping import Site
 from birdcage.station.held_keeper import HeldKeeper
 from birdcage.station.not_now import NotNow
-from birdcage.station.task import ItemTask
+from birdcage.station.task import Task
 
 OpenLink = Callable[[str, int], Link]
 """Opens a port by its name at a baud rate. LinkError says what is wrong."""
@@ -107,7 +106,7 @@ class StationSettings(Rules):
     """The identity of the dish at a port, under which it is remembered; None for one that ends with the program."""
     held_keeper: HeldKeeper | None = None
     """Keeps HELD for the programs that come after; None if it ends with this one."""
-    tasks: Mapping[str, type[ItemTask[Any]]] = field(default_factory=dict)
+    tasks: Mapping[str, type[Task]] = field(default_factory=dict)
     """Tasks that `BeginTask` may ask for, and that can be taken up again after the program has died, by their kinds."""
     not_now: NotNow | None = None
     """The command that says whether the dish may move unattended; None: it may."""

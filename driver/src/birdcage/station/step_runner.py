@@ -30,6 +30,7 @@ from birdcage.tracking.steps import (
     StepResult,
     TakeReferences,
     Wait,
+    WriteFeature,
 )
 from birdcage.tracking.steps import ReadPosition as Read
 
@@ -160,8 +161,8 @@ class StepRunner:
             self._exchanges.home(step.axis)
         elif isinstance(step, TakeReferences):
             self._exchanges.take_references(whole=step.whole)
-        elif isinstance(step, ReadFeatures):
-            readings = self._exchanges.read(step.ids)
+        elif isinstance(step, ReadFeatures | WriteFeature):
+            readings = self._exchanges.features(step)
             return StepResult(self.now_s, readings=readings)
         return StepResult(self.now_s)
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TypeAlias
 
-from birdcage.rotator.feature import Reading
+from birdcage.rotator.feature import Reading, Value
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,6 +70,8 @@ class PointAt:
 
     az_deg: float
     el_deg: float
+    optional: bool = False
+    """Whether one beyond the dish's limits is left out: the answer names no direction then. Else the task ends."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +97,26 @@ class ReadFeatures:
     ids: tuple[str, ...]
 
 
+@dataclass(frozen=True, slots=True)
+class WriteFeature:
+    """Set a feature of the machine at rest; what it makes of that is in the answer."""
+
+    id: str
+    value: Value
+
+
 Step: TypeAlias = (
-    Wait | Send | SlewTo | PointAt | ReadPosition | Hear | LimitSpeeds | HomeAxis | TakeReferences | ReadFeatures
+    Wait
+    | Send
+    | SlewTo
+    | PointAt
+    | ReadPosition
+    | Hear
+    | LimitSpeeds
+    | HomeAxis
+    | TakeReferences
+    | ReadFeatures
+    | WriteFeature
 )
 
 
@@ -114,7 +134,7 @@ class StepResult:
     seen_s: float | None = None
     """When it was there, as well as can be told: in the middle of the exchange."""
     readings: Mapping[str, Reading] = field(default_factory=lambda: MappingProxyType({}))
-    """Of `ReadFeatures`, by id: what the machine did not tell is left out."""
+    """Of `ReadFeatures` and `WriteFeature`, by id: what the machine did not tell is left out."""
     true_az_deg: float | None = None
     """Of a `PointAt` or `SlewTo`: where the dish was read at its end, in true degrees."""
     true_el_deg: float | None = None

@@ -20,8 +20,12 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION,
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
     ENABLE_LNA,
+    LOCK,
+    NETWORK,
     RSSI,
     SETTINGS,
+    SNR,
+    TRANSPONDER,
     TV_SEARCH,
     VERSION,
     Cost,
@@ -78,6 +82,12 @@ def supplied(dish: CarryoutG2Protocol) -> dict[str, Value]:
     """Feed the LNB with 13 V."""
     dish.enable_lna()
     return {ENABLE_LNA: True}
+
+
+def tuned(dish: CarryoutG2Protocol, transponder: int) -> dict[str, Value]:
+    """Tune to a transponder: odd ones are sent vertical, at 13 V, even ones horizontal, at 18 V."""
+    dish.tuner.select(transponder)
+    return {TRANSPONDER: float(transponder)}
 
 
 def tv_search_of(row: NvsRow) -> dict[str, Value]:
@@ -152,6 +162,13 @@ _TV_SEARCH = FeatureRow(
     lambda dish: tv_search_of(dish.read_nvs(DISABLE_TRACKER)),
     lambda dish, on: tv_search_of(dish.save_search(disabled=not on)),
 )  # fmt: skip
+_TRANSPONDER = FeatureRow(
+    Feature(
+        TRANSPONDER, "Transponder that the tuner listens to", range=Range(1.0, 32.0), writer=Writer.UNTIL_RESTART,
+        cost=Cost(1, "dvb"), told=False,
+    ),
+    write=lambda dish, number: tuned(dish, int(number)),
+)  # fmt: skip
 _LNA = FeatureRow(
     Feature(
         ENABLE_LNA, "Supply of 13 V for the LNB", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE,
@@ -161,17 +178,18 @@ _LNA = FeatureRow(
     write=lambda dish, _value: supplied(dish),
 )  # fmt: skip
 _SIGNAL = (
+    _TRANSPONDER,
     _LNA,
     _one(Cost(1, "dvb"), lambda dish: float(dish.get_rssi(RSSI_READS).average),
          replace(_counts(RSSI, "Signal strength"), samples=RSSI_READS)),
-    _one(_STREAM, lambda dish: dish.tuner.snr_db(), Feature("snr", "Signal-to-noise ratio", "dB")),
+    _one(_STREAM, lambda dish: dish.tuner.snr_db(), Feature(SNR, "Signal-to-noise ratio", "dB")),
     _one(_STREAM, lambda dish: dish.tuner.lnb_volts(),
          Feature("lnb_supply", "Supply of the LNB", "V", range=Range(0.0, 30.0), health=HealthMark("LNB"))),
-    _one(_STREAM, lambda dish: dish.tuner.network(), _text("network", "Network heard, or none")),
+    _one(_STREAM, lambda dish: dish.tuner.network(), _text(NETWORK, "Network heard, or none")),
     *_told(_STREAM, lambda dish: dish.tuner.agc()[0],
            Feature("rf_agc", "Gain control, RF", "counts"), Feature("if_agc", "Gain control, IF", "counts")),
     *_told(_DVB, lambda dish: dish.tuner.lock_status(),
-           Feature("lock", "Tuner has locked", kind=FeatureKind.SWITCH),
+           Feature(LOCK, "Tuner has locked", kind=FeatureKind.SWITCH),
            Feature("tuner_reads", "Reads of the tuner", range=_FROM_0),
            Feature("tuner_no_signal", "Reads without a signal", range=_FROM_0),
            Feature("tuner_glitches", "Reads with a glitch", range=_FROM_0),

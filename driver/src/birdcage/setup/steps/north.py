@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from datetime import UTC, datetime
 
+from birdcage.base.alignments import north_settings
 from birdcage.base.config import PlaceSettings
 from birdcage.base.config.edit import Value
 from birdcage.base.errors import BirdcageError
@@ -96,6 +97,27 @@ def _ready_for_sun(step: Step) -> str:
     return ""
 
 
+def north_words(bench: SetupContext) -> str:
+    """Say what the offsets in force mean."""
+    own = bench.settings.alignment
+    text = f"az offset {own.az_offset_deg:+.2f} deg: the dish's 0 is at {own.az_offset_deg % 360.0:.2f} true"
+    return f"{text}; el offset {own.el_offset_deg:+.2f} deg" if own.el_offset_deg else text
+
+
+def set_north(
+    bench: SetupContext, az_deg: float, el_deg: float | None, how: str, more: Mapping[str, Value] | None = None
+) -> Plan:
+    """Write the offsets, with `more` settings, have the station take them, and keep the step as done by `how`.
+
+    `el_deg` of None leaves the elevation's as it is.
+    """
+    changes, remark = north_settings(bench.settings.alignment, az_deg, el_deg)
+    bench.write({**(more or {}), **changes})
+    yield bench.apply()
+    over = bench.overridden("alignment.az_offset_deg", "alignment.el_offset_deg")
+    bench.done(NorthStep.name, f"{north_words(bench)} ({how}{remark}){over}")
+
+
 class NorthStep(Step):
     """Typed, by the Sun, or by a compass."""
 
@@ -105,12 +127,7 @@ class NorthStep(Step):
 
     def evidence(self) -> str:
         """Say what the offset means, once it was set."""
-        return self._consequence() if self.bench.kept(self.name) else ""
-
-    def _consequence(self) -> str:
-        own = self.bench.settings.alignment
-        text = f"az offset {own.az_offset_deg:+.2f} deg: the dish's 0 is at {own.az_offset_deg % 360.0:.2f} true"
-        return f"{text}; el offset {own.el_offset_deg:+.2f} deg" if own.el_offset_deg else text
+        return north_words(self.bench) if self.bench.kept(self.name) else ""
 
     def words(self) -> tuple[str, ...]:
         """Show the Sun now, and what a compass would read."""
@@ -215,18 +232,4 @@ class NorthStep(Step):
         self._set(offset, None, f"by compass {reading:.1f} with declination {turn:+.1f} deg", changes)
 
     def _set(self, az: float, el: float | None, how: str, more: Mapping[str, Value] | None = None) -> None:
-        changes: dict[str, Value] = {**(more or {}), "alignment.az_offset_deg": az}
-        if el is not None:
-            changes["alignment.el_offset_deg"] = el
-        own = self.bench.settings.alignment
-        if own.ca_deg or own.an_deg or own.aw_deg:
-            # They were fitted together with the offsets that go now, and to a base that stood otherwise.
-            changes |= dict.fromkeys(f"alignment.{name}" for name in ("active", "ca_deg", "an_deg", "aw_deg"))
-            how += "; the tilt of the last calibration is dropped"
-        self.bench.write(changes)
-        self.begin(self._apply(how), "telling the station")
-
-    def _apply(self, how: str) -> Plan:
-        yield self.bench.apply()
-        over = self.bench.overridden("alignment.az_offset_deg", "alignment.el_offset_deg")
-        self.bench.done(self.name, f"{self._consequence()} ({how}){over}")
+        self.begin(set_north(self.bench, az, el, how, more), "telling the station")

@@ -9,9 +9,9 @@ from contextlib import suppress
 from birdcage.base.errors import BirdcageError, CommandRefused, LeaseDenied, MotionRefused, Stopped
 from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
-from birdcage.rotator.feature import Value
 from birdcage.station.events import TaskChanged
 from birdcage.station.parts import Parts
+from birdcage.station.requests import TaskValue
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import LinkPhase
 from birdcage.station.task import Task
@@ -59,7 +59,7 @@ class TaskHost:
         run.set_out(asked=asked)
         return run
 
-    def begin_kind(self, kind: str, values: Mapping[str, Value], holder: str, *, asked: bool) -> TaskRun:
+    def begin_kind(self, kind: str, values: Mapping[str, TaskValue], holder: str, *, asked: bool) -> TaskRun:
         """Begin a task by its kind. CommandRefused: there is none, or it does not take these values."""
         try:
             task = self._parts.settings.tasks[kind](**{**values, "holder": holder})

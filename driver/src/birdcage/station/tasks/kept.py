@@ -22,8 +22,8 @@ from birdcage.station.task_state import KeptTask
 FILE = "task.json"
 CLOSE_S = 0.2
 
-Kinds = Mapping[str, type[ItemTask[Any]]]
-"""The tasks that can be taken up again, by their kind: dataclasses of plain values."""
+Kinds = Mapping[str, type[Task]]
+"""Tasks by their kind; those that can be taken up again are dataclasses of plain values."""
 
 
 class TaskFile:
@@ -63,6 +63,8 @@ class TaskFile:
             raise CommandRefused("There is no task to resume. Nothing was sent.", reason=Reason.ABSENT)
         try:
             task = self._kinds[kept.kind](**self._values)
+            if not isinstance(task, ItemTask):
+                raise TypeError(kept.kind)
             task.done = min(max(kept.done, 0), len(task.items()))
         except (TypeError, ValueError) as error:
             self.drop()

@@ -18,12 +18,14 @@ from birdcage.station.step_runner import StepRunner
 from birdcage.station.task import Task
 from birdcage.station.task_state import TaskPhase, TaskState
 from birdcage.station.tasks import words
-from birdcage.tracking.steps import StepResult, Steps
+from birdcage.tracking.steps import PointAt, StepResult, Steps
 
 POLL_S = 0.2
 """How often a task that cannot go on looks whether it can."""
 COUNTDOWN_S = 5.0
 """Before motion that no person has just asked for (`docs/decisions/0017-the-pursuit-and-the-lease.md`)."""
+BEYOND = (Reason.LIMIT, Reason.AZ_LIMIT, Reason.EL_LIMIT, Reason.FLOOR, Reason.WRAP, Reason.SECTOR)
+"""Why the gate does not let the dish go somewhere, however it stands."""
 QUIET = (TaskPhase.WAITING, TaskPhase.YIELDED)
 """Where nothing of a task's moves, nor is about to."""
 
@@ -176,9 +178,12 @@ class TaskRun:
             try:
                 answer = runner.carry_out()
             except MotionRefused as refused:
-                if refused.reason is not Reason.SECTOR or not runner.looks_anew():
+                if isinstance(runner.step, PointAt) and runner.step.optional and refused.reason in BEYOND:
+                    answer = StepResult(runner.now_s)
+                elif refused.reason is not Reason.SECTOR or not runner.looks_anew():
                     raise
-                return
+                else:
+                    return
         except MotionRefused as refused:
             if self._steps is steps:
                 self.over(str(refused), error=refused)

@@ -1,0 +1,76 @@
+"""A task that goes by the signal, begun and followed to its end by a command."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import BirdcageError, CommandRefused
+from birdcage.base.reason import Reason
+from birdcage.cli.dish import need_position
+from birdcage.signal.slots_heard import seen_from
+from birdcage.sky.observer import Observer
+from birdcage.station.events import TaskChanged
+from birdcage.station.requests import BeginTask, TaskValue
+from birdcage.station.task_state import TaskPhase
+
+if TYPE_CHECKING:
+    from birdcage.cli.options import Wanted
+    from birdcage.cli.station_command import StationCommand
+    from birdcage.signal.slots_heard import SlotSeen
+    from birdcage.station.events import Event
+    from birdcage.station.state import Pointing
+    from birdcage.station.task_state import TaskState
+
+
+def ready_dish(dish: StationCommand) -> tuple[Pointing, float]:
+    """Wait for a dish that can be led by its own tuner; return where it points, and the width of its beam or 0.
+
+    CommandRefused where it has no tuner; what `need_position` raises.
+    """
+    dish.come_up(15.0)
+    need_position(dish)
+    facts, position, beam = dish.state.dish, dish.state.position, dish.state.beam
+    if facts is not None and not facts.has_rssi:
+        raise CommandRefused(f"The {facts.name} has no tuner to read. Nothing was sent.", reason=Reason.UNSUPPORTED)
+    assert position is not None, "it was waited for"
+    return position, 0.0 if beam is None else beam.mean_deg
+
+
+def known_slots(wants: Wanted) -> Sequence[SlotSeen]:
+    """Return the slots that may be heard where the dish stands; none where no place is set."""
+    place = wants.settings.place
+    if place.latitude_deg is None or place.longitude_deg is None:
+        return ()
+    observer = Observer(place.latitude_deg, place.longitude_deg, place.height_m)
+    return seen_from(observer, wants.settings.tracking.refraction)
+
+
+def follow_task(
+    dish: StationCommand, kind: str, values: Mapping[str, TaskValue], holder: str, takes_s: float, doing: str
+) -> TaskState:
+    """Have the station do it, show how far it is, and return how it ended.
+
+    `doing` is what is shown, with `{}` for how many are done and of how many. BirdcageError where it can't be begun, or
+    is cut short, or takes longer than `takes_s`.
+    """
+    ended: dict[int, TaskState] = {}
+    """By number: another program may have a task of this kind, and this one may be over before its number is known."""
+
+    def hear(event: Event) -> None:
+        if isinstance(event, TaskChanged) and event.task.kind == kind:
+            dish.progress.show(doing.format(event.task.done or 0, event.task.of))
+            if event.task.phase is TaskPhase.OVER:
+                ended[event.task.number] = event.task
+
+    number = dish.ask(BeginTask(kind, values, holder), 30.0, hear)
+    assert isinstance(number, int), "a task that has begun has one"
+    deadline = dish.now + takes_s
+    while number not in ended:
+        if dish.now > deadline:
+            raise BirdcageError(f"Not found within {takes_s:.0f} s.", reason=Reason.TIMEOUT)
+        dish.look(hear)
+    dish.progress.clear()
+    if not ended[number].is_done:
+        raise BirdcageError(ended[number].why)
+    return ended[number]

@@ -1,0 +1,64 @@
+"""What an acquired satellite is, and what it tells of how the dish stands."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from birdcage.base.config import FeedProfile
+from birdcage.base.geometry import shortest_turn
+from birdcage.rotator.feature import LOCK, NETWORK, NO_NETWORK, SNR, TRANSPONDER, Value
+from birdcage.signal.slots_heard import SlotSeen, slots_found
+from birdcage.station.state import Pointing
+
+
+@dataclass(frozen=True, slots=True)
+class Acquired:
+    """A source that was found (`AcquireTask.found`), with the slots that it may be, likeliest first."""
+
+    az_deg: float
+    """Its true direction, as the alignment in force has it."""
+    el_deg: float
+    sigma_deg: float
+    heard: str
+    """How it was heard, in a sentence."""
+    told: Mapping[str, Value]
+    """What the task has found, by name."""
+    may_be: tuple[SlotSeen, ...]
+    position: Pointing
+    """Of the dish, at rest in the middle of it."""
+
+    def offsets(self, seen: SlotSeen, feed: FeedProfile) -> tuple[float, float]:
+        """Return the offsets of the alignment, azimuth and elevation, that make it this slot."""
+        own, at = self.position, (self.az_deg, self.el_deg)
+        # It came to rest a little off the middle: the middle counts, as the dish would read it.
+        dish_az_deg = own.dish_az_deg + shortest_turn(own.az_deg, at[0])
+        dish_el_deg = own.dish_el_deg + at[1] - own.el_deg
+        az_deg = shortest_turn(dish_az_deg + feed.az_offset_deg, seen.az_deg)
+        return round(az_deg, 2) + 0.0, round(seen.el_deg - dish_el_deg - feed.el_offset_deg, 2) + 0.0
+
+    def off(self, seen: SlotSeen) -> tuple[float, float]:
+        """Return how far from where this slot should be it was found: to the right, and above, in azimuth and el."""
+        return shortest_turn(seen.az_deg, self.az_deg), self.el_deg - seen.el_deg
+
+
+def acquired(
+    found: Mapping[str, Value], position: Pointing, among: Sequence[SlotSeen], reach_az_deg: float
+) -> Acquired:  # fmt: skip
+    """Return what was found; `reach_az_deg` is how far the search went to the sides."""
+    az_deg, el_deg, sigma_deg = (float(found[name]) for name in ("az_deg", "el_deg", "sigma_deg"))
+    network = str(found.get(NETWORK, NO_NETWORK))
+    may_be = slots_found(az_deg, el_deg, among, reach_az_deg, network)
+    return Acquired(az_deg, el_deg, sigma_deg, _heard_words(found), found, may_be, position)
+
+
+def _heard_words(found: Mapping[str, Value]) -> str:
+    words = [f"{float(found['rise']):.0f} over the floor"]
+    if LOCK in found:
+        tuned = f" on transponder {float(found[TRANSPONDER]):.0f}" if TRANSPONDER in found else ""
+        words.append(f"{'locked' if found[LOCK] else 'no lock'}{tuned}")
+    if SNR in found and found.get(LOCK) is not False:
+        words.append(f"SNR {float(found[SNR]):.1f} dB")
+    if found.get(NETWORK, NO_NETWORK) != NO_NETWORK:
+        words.append(f"network {found[NETWORK]}")
+    return ", ".join(words)
