@@ -20,6 +20,7 @@ from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
 from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettings
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.setup.engine import Setup
+from birdcage.signal.signal_tasks import SIGNAL_TASKS
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.drawing.themes import LOOKS
@@ -117,7 +118,7 @@ async def demo(
         remember_demo(paths, firmware)
         session = open_session(
             port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
-            identify=name_demo,
+            identify=name_demo, tasks=SIGNAL_TASKS,
         )  # fmt: skip
         signals = SessionSignals(session, here, lambda: here, threads=False)
         session.start = lambda: None  # stepped here instead of running on its thread

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import itertools
+import re
 from types import SimpleNamespace
 
 import pytest
@@ -11,7 +12,7 @@ import stage
 import stand_in
 from birdcage.signal.beam_fit import BeamFit
 from birdcage.signal.peak_hold import HeardPeak, LevelNow, Trend
-from birdcage.station.requests import Goto, Jog, Watch
+from birdcage.station.requests import BeginTask, Goto, Jog, Watch
 from birdcage.station.state import Activity
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.panes.signal import SignalPane
@@ -93,6 +94,52 @@ def test_arrows_step_the_dish_here_and_p_only_offers_the_way_to_the_peak():
     assert [jog.d_az_deg for jog in jogs] == [1.0]
     assert before == []
     assert [(goto.az_deg, goto.el_deg) for goto in after] == [(190.0, 42.0)]
+
+
+def test_the_peak_is_found_only_after_a_yes_and_what_was_found_is_said():
+    """The real page, the real station, the simulated dish; the wire shows that nothing moves before the answer."""
+    pictures = stage_of_the_pictures()
+
+    async def play():
+        async with pictures.demo((80, 24)) as on:
+            await on.wait(9)
+            await on.press("f3", "g")
+            await on.type("213.0 39.5")
+            await on.press("enter")
+            await on.wait(10)
+            here = on.app.station.state.position
+            await on.press("f")
+            await on.wait(4)
+            asked, still = on.text(), on.app.station.state.position
+            await on.press("n", "f", "y")
+            await on.wait(12)
+            running = on.text()
+            await on.wait(50)
+            return (here, still), asked, running, on.text(), on.app.station.state
+
+    (here, still), asked, running, ended, state = asyncio.run(play())
+    assert "The dish goes through 25 directions, up to 3.9° to each side" in asked
+    assert (here.az_deg, here.el_deg) == (still.az_deg, still.el_deg)
+    assert re.search(r"Finding the peak: \d+ of 25 heard", running)
+    assert re.search(r"Peak at 214\.\d\d°/38\.\d\d° ±0\.\d\d°, 1\d\d over the floor\.", ended)
+    assert (state.position.az_deg, state.position.el_deg) == (
+        pytest.approx(214.35, abs=0.3), pytest.approx(38.73, abs=0.2),
+    )  # fmt: skip
+    assert state.holder is None
+
+
+@pytest.mark.parametrize(("name", "words"), [
+    ("travler-slew", "has no tuner to read"), ("lost", "f no answer"), ("held", "Enter release"),
+])  # fmt: skip
+def test_where_it_can_not_be_found_f_says_why_and_asks_nothing(name, words):
+    async def body(app, pilot):
+        await pilot.press("f")
+        await pilot.pause()
+        return app.station.asked_for(BeginTask), len(app.screen_stack), stand_in.text_of(app)
+
+    begun, layers, text = stage.run(body, name, (120, 36), key="f3")
+    assert (begun, layers) == ([], 1)
+    assert words in text
 
 
 def test_without_a_peak_p_says_so():

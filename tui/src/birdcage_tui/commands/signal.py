@@ -3,10 +3,32 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
+from birdcage_tui.shown.allowed import CommandContext, can_move
+from birdcage_tui.shown.event_words import finding_now
+from birdcage_tui.shown.pursuit import pursuit_of
 
 WHERE = ("signal",)
 
+
+def can_find(context: CommandContext) -> str | None:
+    """Return why the dish cannot find the peak by itself now."""
+    state = context.state
+    if state.dish is not None and not state.dish.has_rssi:
+        return f"The {state.dish.name} has no tuner to read."
+    if state.position is None or state.position_lost is not None:
+        return "Where the dish points is unknown. Home it first."
+    if finding_now(state) is not None:
+        return "It is searching already. Space stops it."
+    if pursuit_of(state) is not None:
+        return "The dish follows a target. End that first."
+    return can_move(context)
+
+
 SIGNAL = (
+    Command(
+        "signal-find", ("f",), "f", "Find the peak …", "Listen in 25 directions around here, and end in the middle.",
+        "Signal", can_find, footer="find", where=WHERE,
+    ),
     Command(
         "signal-peak", ("p",), "p", "To the peak …", "Offer the way to the strongest signal. Enter sends the dish.",
         "Signal", footer="to peak", where=WHERE,

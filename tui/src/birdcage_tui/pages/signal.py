@@ -11,6 +11,7 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
+from birdcage_tui.signal.find import begin_find, find_question
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
@@ -41,7 +42,7 @@ class SignalPage(Page):
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
     RATE_HZ = 1.0
-    HELP = "The signal, read as often as the wire allows. Arrows step the dish; p offers the way back to the peak."
+    HELP = "The signal, read as often as the wire allows. Arrows step the dish; f finds the peak, p goes there."
 
     def compose(self) -> ComposeResult:
         """From the top."""
@@ -94,6 +95,12 @@ class SignalPage(Page):
         self.query_one("#signal-upper").styles.height = UPPER_TALL if tall else UPPER
         self.query_one(ReceiverPane).styles.height = 3 if self.size.width >= 110 else 4
 
+    def _find(self, agreed: bool | None) -> None:
+        if agreed:
+            self.host.signals.book.forget_peak()
+            begin_find(self.host.view(), self.host.ask)
+            self.host.say("Finding the peak. Space stops the dish.")
+
     def do(self, command: str) -> bool:
         """Offer the way to the peak, or forget it."""
         level = self.host.view().level
@@ -104,6 +111,8 @@ class SignalPage(Page):
                     self.host.say("No peak with a direction was heard yet.")
                 else:
                     self.host.open_goto(f"{to[0]:.2f} {to[1]:.2f}")
+            case "signal-find":
+                self.app.push_screen(find_question(self.host.view()), self._find)
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")

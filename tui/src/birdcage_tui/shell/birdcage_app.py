@@ -16,7 +16,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from birdcage.station.events import Event, MoveEnded
+from birdcage.station.events import Event
 from birdcage.station.requests import Goto, Request
 from textual import events, on
 from textual.app import App, ComposeResult
@@ -46,9 +46,8 @@ from birdcage_tui.shell.questions import Questions
 from birdcage_tui.shell.start_objects import StartObjects
 from birdcage_tui.shell.stopping import driver_for
 from birdcage_tui.shell.tour import Tour
+from birdcage_tui.shown.event_words import event_words
 from birdcage_tui.shown.options import SitePlace
-from birdcage_tui.shown.pursuit import says_nothing_new
-from birdcage_tui.shown.state_words import ended_text
 from birdcage_tui.shown.view import YOU, View, may_move
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.esc_field import EscField
@@ -210,8 +209,8 @@ class BirdcageApp(App[None]):
     @on(StationEvent)
     def _hear(self, message: StationEvent) -> None:
         event = message.event
-        if isinstance(event, MoveEnded) and not says_nothing_new(event, self.station.state):
-            self.note(ended_text(event))
+        if words := event_words(event, self.station.state):
+            self.note(words)
         self.track.hear(event)
         self._news()
 

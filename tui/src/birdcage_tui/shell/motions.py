@@ -11,6 +11,7 @@ from typing import Protocol
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import (
     AcquireLease,
+    BeginTask,
     Goto,
     Home,
     Jog,
@@ -83,8 +84,9 @@ class Motions:
                 return
             request = self._take_back_with(request)
         future = host.station.submit(request)
-        if isinstance(request, Motion):
+        if isinstance(request, Motion | BeginTask):
             host.end_tour()
+        if isinstance(request, Motion):
             self.under_way.add(future)
             host.horizon.moved(jog=isinstance(request, Jog))
         future.add_done_callback(done)

@@ -65,5 +65,5 @@ def short_words(view: View, width: int) -> str:
     if turn is not None:
         across, up = turn
         way = f"  {arrow(across, '◀', '▶')}{abs(across):.1f}° {arrow(up, '▼', '▲')}{abs(up):.1f}°"
-    found = f"{level.share * 100.0:.0f} % of peak  {TRENDS[level.trend]}".rstrip() + way
+    found = f"{max(level.share, 0.0) * 100.0:.0f} % of peak  {TRENDS[level.trend]}".rstrip() + way
     return found if len(found) <= width else found.replace(" of peak ", "")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.station.events import End, MoveEnded
 from birdcage.station.pursuit_state import Phase, PointingSample, Pursuit
 
 from birdcage_tui.shown.view import STALE_S, View
@@ -94,12 +93,6 @@ def aimed_at(view: View) -> tuple[float, float] | None:
     if state.target_az_deg is None or state.target_el_deg is None:
         return None
     return state.target_az_deg, state.target_el_deg
-
-
-def says_nothing_new(event: MoveEnded, state: StationState) -> bool:
-    """Return whether a motion's end is no result of a command: another follows, or a pursuit arrived on its way."""
-    steered = state.pursuit is not None and state.pursuit.phase in STEERED
-    return event.end is End.SUPERSEDED or (event.end is End.ARRIVED and steered)
 
 
 LOADING = "Loading tracker …"

@@ -43,7 +43,7 @@ class LevelPane(Pane):
                 cells.put(1, row, line, "warn" if view.signal_trouble else "dim")
             return
         late = is_late(view, level)
-        big = value_text(level.level, view.heard) if level.share is None else f"{level.share * 100.0:.0f}"
+        big = value_text(level.level, view.heard) if level.share is None else f"{max(level.share, 0.0) * 100.0:.0f}"
         big = big.rjust(3)
         large = is_large(cells) and cells.width - width_of(big, large=True) >= BESIDE
         x = put_big(cells, 1, 0, big, "dim" if late else "strong", large=large) + 1

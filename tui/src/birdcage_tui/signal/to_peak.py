@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.drawing.digits import put_big
+from birdcage_tui.shown.event_words import FINDING, finding_now
 from birdcage_tui.shown.level_words import NEAR_DEG, arrow, turn_to, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
@@ -35,7 +36,11 @@ class ToPeakPane(Pane):
         self._axis(cells, 1 + wide, up, "▼", "▲", large=large)
         cells.put(3, y, "azimuth", "dim")
         cells.put(3 + wide, y, "elevation", "dim")
-        if fit is not None:
+        task = finding_now(view.state)
+        if task is not None:
+            told = f"{FINDING[task.kind]}: {task.done or 0} of {task.of} heard"
+            cells.put(1, y + 1, cut(told, cells.width - 2), "accent-strong")
+        elif fit is not None:
             found = f"Fit of {fit.points}: {fit.az_deg:.2f}°/{fit.el_deg:.2f}° ±{fit.sigma_deg:.2f}°"
             cells.put(1, y + 1, cut(found, cells.width - 2), "text")
         elif peak is None:
@@ -48,8 +53,9 @@ class ToPeakPane(Pane):
             words = f"{value_text(peak.value, view.heard)} {view.heard.unit}{where}, {age_text(view.now - peak.at)} ago"
             cells.put(1, y + 1, cut(words, cells.width - 2), "text")
         if cells.height > y + 2:
-            x = self.button(cells, 1, cells.height - 1, "signal-peak", view)
-            self.button(cells, x, cells.height - 1, "signal-forget", view)
+            x = self.button(cells, 1, cells.height - 1, "signal-find", view, "Find …")
+            x = self.button(cells, x, cells.height - 1, "signal-peak", view, "Go there …")
+            self.button(cells, x, cells.height - 1, "signal-forget", view, "Forget")
 
     @staticmethod
     def _axis(cells: Cells, x: int, turn_deg: float | None, less: str, more: str, *, large: bool) -> None:
