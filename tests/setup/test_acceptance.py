@@ -89,6 +89,7 @@ def test_a_dish_out_of_its_box_ends_homed_limited_turned_north_and_pointing(buil
     assert "locked on transponder 16, SNR" in found.evidence
     assert "network 0x1003" in found.evidence
     assert any(words.startswith("Most likely it is EchoStar 16 (61.5°W)") for words in found.words)
+    assert not house.setup.finished, "nobody has said which one it is"
     house.choose("first", "is1")
     assert house.view("first").evidence.endswith("north set by it")
     assert "by the signal of EchoStar 16 (61.5°W)" in house.file().setup.kept("north").evidence

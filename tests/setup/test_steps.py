@@ -320,9 +320,9 @@ class TestFirst:
         house.setup.clear()
         house.choose("place", "typed", **PLACE)
         house.choose("north", "typed", az_offset_deg="0")
-        assert house.view("first").evidence == "EchoStar 10 (110°W) expected at 202.0 / 42.4"
+        assert house.view("first").evidence == "EchoStar 16 (61.5°W) expected at 132.8 / 32.7"
         house.choose("first", "point")
-        assert house.looks_at() == (pytest.approx(202.0, abs=0.1), pytest.approx(42.4, abs=0.1))
+        assert house.looks_at() == (pytest.approx(132.8, abs=0.1), pytest.approx(32.7, abs=0.1))
         assert house.marks()["first"] == "todo"
 
     def test_what_is_no_satellite_is_refused_and_nothing_moves(self, house):
@@ -334,6 +334,17 @@ class TestFirst:
             with pytest.raises(NoSuchChoice, match="is no satellite of the list that is up here"):
                 house.setup.choose("first", "search", {"slot": typed})
         assert len(house.moves()) == before
+
+    def test_what_is_found_may_leave_north_as_it_is(self, house):
+        house.setup.clear()
+        house.choose("place", "typed", **PLACE)
+        house.choose("north", "typed", az_offset_deg="0.7")
+        house.choose("first", "search", 600.0, slot="61.5W")
+        assert house.marks()["first"] == "todo"
+        house.choose("first", "keep")
+        assert house.marks()["first"] == "done"
+        assert house.view("first").evidence.endswith("north left as it was")
+        assert house.file().alignment.az_offset_deg == 0.7
 
     def test_stop_ends_the_search_and_says_so(self, house):
         house.setup.clear()

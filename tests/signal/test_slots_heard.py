@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 import pytest
 from birdcage.base.config import FeedProfile
 from birdcage.signal.acquired import acquired
-from birdcage.signal.slots_heard import patterns_near, seen_from, slot_typed, slots_found
+from birdcage.signal.slots_heard import apart_deg, patterns_near, seen_from, slot_typed, slots_found
 from birdcage.sky.observer import Observer
 from birdcage.station.state import Pointing
 
@@ -54,6 +54,11 @@ def test_a_direction_near_several_may_be_any_of_them_or_none():
     rows = patterns_near(one.az_deg + 1.0, one.el_deg, SEEN, WIDTH_DEG)
     assert rows[0] == ()
     assert len(rows) >= 3
+
+
+def test_how_far_the_nearest_neighbour_is():
+    assert apart_deg(seen("72.7W"), SEEN) < 5.5 < 10.0 < apart_deg(seen("61.5W"), SEEN)
+    assert apart_deg(seen("119W"), [seen("119W")]) == 180.0
 
 
 def test_far_from_the_arc_there_is_no_pattern():

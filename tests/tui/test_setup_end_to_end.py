@@ -17,6 +17,7 @@ from birdcage.link.link import Link
 from birdcage.setup.engine import Setup
 from birdcage.setup.first_run import is_first_run
 from birdcage.setup.step import NAMES
+from birdcage.signal.signal_tasks import SIGNAL_TASKS
 from birdcage.sim.almanac import sun
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
@@ -55,7 +56,7 @@ class Garden:
         rules = rules_from(settings)
         wanted = StationSettings(
             port=settings.dish.port or self.port, firmware="g2", baud=settings.dish.baud, open_link=self._open,
-            backup_folder=self.paths.backups,
+            backup_folder=self.paths.backups, tasks=SIGNAL_TASKS,
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
         self.session = Stepped(self.clock, Station(self.clock, wanted))
@@ -195,10 +196,19 @@ async def test_from_wires_to_a_dish_that_points_and_resumed_half_way(tmp_path):
         await garden.press("s")
         assert garden.setup.current == "place"
         await place_and_north(garden)
+        assert garden.setup.current == "first"
+        assert "Find it by its signal" in garden.text()
+        await garden.press("enter")  # into the satellite's name
+        await garden.press("enter")
+        await garden.step(5)
+        assert "directions heard" in garden.text()
+        await garden.until(lambda: not garden.setup.busy, 600)
+        assert "Most likely it is EchoStar 16 (61.5°W)" in garden.text()
+        assert not garden.setup.finished
+        await garden.answer("enter")
+        assert garden.setup.step("first").evidence.endswith("north set by it")
         assert garden.setup.finished
         assert "The setup is complete, but for Level" in " ".join(garden.text().replace("│", " ").split())
-        await garden.answer("enter")
-        assert garden.setup.step("first").evidence.startswith("points at")
         assert load(garden.paths.config_file, {}).alignment.az_offset_deg == pytest.approx(30.0, abs=0.2)
     garden.session.close()
 

@@ -64,6 +64,14 @@ def slot_typed(typed: str, among: Iterable[SlotSeen]) -> SlotSeen | None:
     return next((seen for seen in among if seen.slot.label.replace("°", "").casefold() == wanted), None)
 
 
+def apart_deg(seen: SlotSeen, among: Iterable[SlotSeen]) -> float:
+    """Return how far the nearest other slot is, on the sky; 180 where there is none."""
+    return min(
+        (separation(seen.az_deg, seen.el_deg, each.az_deg, each.el_deg) for each in among if each is not seen),
+        default=180.0,
+    )
+
+
 def pattern_of(seen: SlotSeen, among: Iterable[SlotSeen], width_deg: float) -> tuple[float, ...]:
     """Return the slots that may be heard beside one, for `PeakTask.patterns`: the nearest ones, within three beams."""
     beside = [

@@ -11,7 +11,7 @@ from birdcage.setup.steps.base import Plan, Step
 from birdcage.setup.steps.north import set_north
 from birdcage.signal.acquire_task import AcquireTask, values_for
 from birdcage.signal.acquired import Acquired, acquired
-from birdcage.signal.slots_heard import SlotSeen, seen_from, slot_typed
+from birdcage.signal.slots_heard import SlotSeen, apart_deg, seen_from, slot_typed
 from birdcage.sky.observer import Observer
 from birdcage.station.events import Event, TaskChanged
 from birdcage.station.requests import BeginTask, Goto
@@ -61,16 +61,24 @@ class FirstStep(Step):
         return seen_from(observer, self.bench.settings.tracking.refraction)
 
     def _best(self) -> SlotSeen | None:
-        """Return the slot that is easiest to hear within the dish's limits: of the dish's own network, and high."""
+        """Return the slot that tells north best: of the dish's own network, within its limits, far from others.
+
+        A satellite that is heard beside another is found some tenths of a degree off.
+        """
         state = self.bench.state
         low = 0.0 if state.el_min_deg is None else max(0.0, state.el_min_deg)
         high = 90.0 if state.el_max_deg is None else state.el_max_deg
         within = [seen for seen in self._slots if low <= seen.el_deg <= high]
-        return max(within, key=lambda seen: (MADE_FOR in seen.slot.networks, seen.el_deg), default=None)
+        return max(
+            within, key=lambda seen: (MADE_FOR in seen.slot.networks, apart_deg(seen, self._slots), seen.el_deg),
+            default=None,
+        )  # fmt: skip
 
     def evidence(self) -> str:
         """Say what was found, or where the dish was turned, or where the likeliest one stands."""
         kept = self.bench.kept(self.name)
+        if self._found is not None:
+            return _place_words(self._found)
         if kept is not None and kept.done:
             return kept.evidence
         return self._pointed or self._expected()
@@ -92,7 +100,7 @@ class FirstStep(Step):
         elif self._best() is None:
             where = ("No well-known geostationary slot is within this dish's limits here.",)
         else:
-            where = (f"{self._expected()}: the easiest to hear of those that are within reach.",)
+            where = (f"{self._expected()}: strong, and far from its neighbours.",)
         if not self._hears:
             where = (*where, "This dish has no tuner of its own to search with.")
         elif self._found is None:
@@ -122,13 +130,15 @@ class FirstStep(Step):
         return (*self.release_choice(), *offered, search, point)
 
     def _offered(self) -> tuple[Choice, ...]:
-        """Offer to set north by each of the satellites that was found perhaps."""
+        """Offer to set north by each of the satellites that it may be, or to leave it."""
         if self._found is None:
             return ()
-        return tuple(
-            Choice(f"is{number}", "enter" if number == 1 else str(number), f"It is {_named(seen)}: set north by it")
-            for number, seen in enumerate(self._found.may_be[:MOST_OFFERED], 1)
-        )
+        likely = enumerate(self._found.may_be[:MOST_OFFERED], 1)
+        return (
+            *(Choice(f"is{number}", "enter" if number == 1 else str(number), f"It is {_named(seen)}: set north by it")
+              for number, seen in likely),
+            Choice("keep", "k", "Leave north as it is"),
+        )  # fmt: skip
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:
         """Search, point, set north, or release."""
@@ -142,6 +152,10 @@ class FirstStep(Step):
                 raise NoSuchChoice(f"{typed} is no satellite of the list that is up here. Give one as 119W.")
             self._found, self._meant, self._pointed = None, meant, ""
             self.begin(self._search(meant), f"turning to {_named(meant)}")
+        elif choice == "keep":
+            assert self._found is not None, "the choice is only there with something found"
+            self.bench.done(self.name, f"{_place_words(self._found)}; north left as it was")
+            self._found = None
         elif choice == "point":
             best = self._best()
             assert best is not None, "the choice is only there with a slot"
@@ -177,7 +191,6 @@ class FirstStep(Step):
         position = self.bench.state.position
         assert position is not None, "it has just come to rest"
         self._found = acquired(task.found, position, slots, REACH_DEG[0])
-        self.bench.done(self.name, f"found at {self._found.az_deg:.2f} / {self._found.el_deg:.2f}: {self._found.heard}")
 
     def _on_task(self, event: Event) -> None:
         if isinstance(event, TaskChanged) and event.task.kind == AcquireTask.kind:
@@ -192,6 +205,10 @@ class FirstStep(Step):
 
 def _named(seen: SlotSeen) -> str:
     return f"{seen.slot.name} ({seen.slot.label})"
+
+
+def _place_words(found: Acquired) -> str:
+    return f"found at {found.az_deg:.2f} / {found.el_deg:.2f}: {found.heard}"
 
 
 def _found_words(found: Acquired, meant: SlotSeen) -> tuple[str, ...]:
