@@ -51,6 +51,7 @@ COMMANDS = {
     "set": "Set a feature of the dish.",
     "rssi": "Print the signal strength, as often as it is told.",
     "peak": "Find the middle of a satellite by its signal, and point there.",
+    "sweep": "Measure the signal along an axis, and fit a beam to it.",
     "acquire": "Find a satellite near where it should be, say which it is, and set north by it.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",

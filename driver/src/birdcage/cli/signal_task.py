@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError, CommandRefused
@@ -11,8 +11,8 @@ from birdcage.cli.dish import need_position
 from birdcage.signal.slots_heard import seen_from
 from birdcage.sky.observer import Observer
 from birdcage.station.events import TaskChanged
-from birdcage.station.requests import BeginTask, TaskValue
-from birdcage.station.task_state import TaskPhase
+from birdcage.station.requests import BeginTask
+from birdcage.station.task_state import TaskPhase, TaskValue
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
@@ -47,11 +47,13 @@ def known_slots(wants: Wanted) -> Sequence[SlotSeen]:
 
 
 def follow_task(
-    dish: StationCommand, kind: str, values: Mapping[str, TaskValue], holder: str, takes_s: float, doing: str
-) -> TaskState:
+    dish: StationCommand, kind: str, values: Mapping[str, TaskValue], holder: str, takes_s: float, doing: str,
+    show: Callable[[TaskState], object] | None = None,
+) -> TaskState:  # fmt: skip
     """Have the station do it, show how far it is, and return how it ended.
 
-    `doing` is what is shown, with `{}` for how many are done and of how many. BirdcageError where it can't be begun, or
+    `doing` is what is shown, with `{}` for how many are done and of how many; `show` is told of each change.
+    BirdcageError where it can't be begun, or
     is cut short, or takes longer than `takes_s`.
     """
     ended: dict[int, TaskState] = {}
@@ -59,6 +61,9 @@ def follow_task(
 
     def hear(event: Event) -> None:
         if isinstance(event, TaskChanged) and event.task.kind == kind:
+            if show is not None:
+                dish.progress.clear()
+                show(event.task)
             dish.progress.show(doing.format(event.task.done or 0, event.task.of))
             if event.task.phase is TaskPhase.OVER:
                 ended[event.task.number] = event.task

@@ -13,8 +13,8 @@ from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection
 from birdcage.signal.listen import Listening, check_number, check_patterns, listen_at, noise_of
 from birdcage.signal.peak_task import LOST, PeakTask
 from birdcage.signal.slots_heard import SlotSeen, patterns_within
-from birdcage.station.requests import TaskValue
 from birdcage.station.task import Task
+from birdcage.station.task_state import TaskValue
 from birdcage.tracking.steps import PointAt, ReadFeatures, Step, StepResult, Steps, Wait, WriteFeature
 
 STEP = 0.5
@@ -198,7 +198,7 @@ class AcquireTask(Task):
         return self._done, self._of
 
     @property
-    def found(self) -> Mapping[str, Value]:
+    def found(self) -> Mapping[str, TaskValue]:
         """The middle of the source as `PeakTask` tells it, and `lock`, `snr` and `network` as far as they were told."""
         return {} if self._fit is None else {**self._fit.values(), **self._told}
 

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from birdcage.base.config import FeedProfile
 from birdcage.base.geometry import shortest_turn
-from birdcage.rotator.feature import LOCK, NETWORK, NO_NETWORK, SNR, TRANSPONDER, Value
+from birdcage.rotator.feature import LOCK, NETWORK, NO_NETWORK, SNR, TRANSPONDER
 from birdcage.signal.slots_heard import SlotSeen, slots_found
 from birdcage.station.state import Pointing
+from birdcage.station.task_state import TaskValue
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +23,7 @@ class Acquired:
     sigma_deg: float
     heard: str
     """How it was heard, in a sentence."""
-    told: Mapping[str, Value]
+    told: Mapping[str, TaskValue]
     """What the task has found, by name."""
     may_be: tuple[SlotSeen, ...]
     position: Pointing
@@ -43,22 +44,29 @@ class Acquired:
 
 
 def acquired(
-    found: Mapping[str, Value], position: Pointing, among: Sequence[SlotSeen], reach_az_deg: float
+    found: Mapping[str, TaskValue], position: Pointing, among: Sequence[SlotSeen], reach_az_deg: float
 ) -> Acquired:  # fmt: skip
     """Return what was found; `reach_az_deg` is how far the search went to the sides."""
-    az_deg, el_deg, sigma_deg = (float(found[name]) for name in ("az_deg", "el_deg", "sigma_deg"))
+    az_deg, el_deg, sigma_deg = (_number(found, name) for name in ("az_deg", "el_deg", "sigma_deg"))
     network = str(found.get(NETWORK, NO_NETWORK))
     may_be = slots_found(az_deg, el_deg, among, reach_az_deg, network)
     return Acquired(az_deg, el_deg, sigma_deg, _heard_words(found), found, may_be, position)
 
 
-def _heard_words(found: Mapping[str, Value]) -> str:
-    words = [f"{float(found['rise']):.0f} over the floor"]
+def _number(found: Mapping[str, TaskValue], name: str) -> float:
+    value = found[name]
+    if isinstance(value, str | tuple):
+        raise TypeError(f"{name} is {value!r}, which is no number")
+    return float(value)
+
+
+def _heard_words(found: Mapping[str, TaskValue]) -> str:
+    words = [f"{_number(found, 'rise'):.0f} over the floor"]
     if LOCK in found:
-        tuned = f" on transponder {float(found[TRANSPONDER]):.0f}" if TRANSPONDER in found else ""
+        tuned = f" on transponder {_number(found, TRANSPONDER):.0f}" if TRANSPONDER in found else ""
         words.append(f"{'locked' if found[LOCK] else 'no lock'}{tuned}")
     if SNR in found and found.get(LOCK) is not False:
-        words.append(f"SNR {float(found[SNR]):.1f} dB")
+        words.append(f"SNR {_number(found, SNR):.1f} dB")
     if found.get(NETWORK, NO_NETWORK) != NO_NETWORK:
         words.append(f"network {found[NETWORK]}")
     return ", ".join(words)

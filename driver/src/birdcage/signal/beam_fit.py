@@ -14,6 +14,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from statistics import fmean
+from typing import Literal
 
 from birdcage.base.geometry import shortest_turn, wrap_360
 
@@ -34,6 +35,10 @@ LEAST_NOISE = 0.002
 MOST_BEYOND = 0.35
 """The middle may lie so many widths outside of where it was listened."""
 
+Cut = Literal["az", "el"]
+CUTS: tuple[Cut, Cut] = ("az", "el")
+"""Along which axis a line of directions lies; in the order of the unknowns."""
+HELD_DEG = 1e-3
 EQUAL = 6.0
 """Fits whose criteria differ by no more are equals."""
 
@@ -118,16 +123,19 @@ Pattern = Sequence[tuple[float, float]]
 
 
 def fit_beam(
-    points: Sequence[BeamPoint], width_deg: float | None, patterns: Sequence[Pattern] = ((),)
+    points: Sequence[BeamPoint], width_deg: float | None, patterns: Sequence[Pattern] = ((),), cut: Cut | None = None
 ) -> BeamFit | None:
     """Return the fit; None where the points do not tell the middle of a source.
 
     `width_deg` is the width that is expected, by theory or by an earlier measurement. `patterns` are what may be heard
     beside the source, each source with a strength of its own: one where it is known which source is sought, several
     where it is not. Then the pattern that fits best counts, as Akaike's criterion weighs what is free in it; among
-    equals the stronger source.
+    equals the stronger source. `cut`: the points lie on a line along that axis, and so does the source then; the
+    standard deviation is that along the line.
     """
-    fits = [(cost + 2.0 * len(pattern), fit) for pattern in patterns for cost, fit in _fits(points, width_deg, pattern)]
+    fits = [
+        (cost + 2.0 * len(pattern), fit) for pattern in patterns for cost, fit in _fits(points, width_deg, pattern, cut)
+    ]
     if not fits:
         return None
     least = min(cost for cost, _fit in fits)
@@ -135,8 +143,8 @@ def fit_beam(
 
 
 def _fits(
-    points: Sequence[BeamPoint], width_deg: float | None, neighbours: Pattern
-) -> Iterator[tuple[float, BeamFit]]:  # fmt: skip
+    points: Sequence[BeamPoint], width_deg: float | None, neighbours: Pattern, cut: Cut | None
+) -> Iterator[tuple[float, BeamFit]]:
     """Yield chi squared and fit, for each source of a pattern being the strongest that was heard."""
     if len(points) < LEAST_POINTS + len(neighbours):
         return
@@ -145,7 +153,7 @@ def _fits(
     offsets = [(shortest_turn(best.az_deg, each.az_deg) * cos, each.el_deg - best.el_deg) for each in points]
     beyond = MOST_BEYOND * (width_deg or ASSUMED_WIDTH_DEG)
     for strongest in range(len(neighbours) + 1):
-        model = _Model(points, offsets, ((0.0, 0.0), *neighbours), strongest, width_deg)
+        model = _Model(points, offsets, ((0.0, 0.0), *neighbours), strongest, width_deg, cut)
         if not model.holds(model.start[0], model.start[1], beyond):
             continue
         found = _solve(model)
@@ -153,7 +161,7 @@ def _fits(
             continue
         (across, up, floor, log_width, rise, *_), covariance, cost = found
         width, scale = math.exp(log_width), max(1.0, cost / max(1, len(points) - len(covariance)))
-        sigma = math.sqrt(scale * max(covariance[0][0], covariance[1][1]))
+        sigma = math.sqrt(scale * max(covariance[axis][axis] for axis in (0, 1) if axis != model.held))
         clear = rise > LEAST_RISE_SIGMAS * math.sqrt(scale * covariance[RISE][RISE])
         if clear and model.holds(across, up, MOST_BEYOND * width) and sigma < MOST_SIGMA * width:
             az_deg = wrap_360(best.az_deg + across / cos)
@@ -165,7 +173,7 @@ class _Model:
 
     def __init__(
         self, points: Sequence[BeamPoint], offsets: Sequence[tuple[float, float]],
-        sources: Sequence[tuple[float, float]], strongest: int, width_deg: float | None,
+        sources: Sequence[tuple[float, float]], strongest: int, width_deg: float | None, cut: Cut | None,
     ) -> None:  # fmt: skip
         """`offsets` of the points from the strongest of them, which is taken to be the source of that number."""
         self.points, self._offsets, self._sources = points, offsets, sources
@@ -175,6 +183,11 @@ class _Model:
         rises = [(high - low) * (index == strongest) for index in range(len(sources))]
         self.start = [-right_deg, -above_deg, low, expected, *rises]
         self._priors = {WIDTH: (expected, UNKNOWN_PRIOR if width_deg is None else WIDTH_PRIOR)}
+        self.held = None if cut is None else 1 - CUTS.index(cut)
+        """The unknown that a cut does not tell."""
+        if self.held is not None:
+            self.start[self.held] = 0.0
+            self._priors[self.held] = (0.0, HELD_DEG)
         # A neighbour out of hearing has the strength of nothing, and no more than the strongest level.
         self._priors |= {RISE + each: (0.0, high - low or 1.0) for each in range(1, len(sources))}
 

@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from birdcage.base.geometry import wrap_360
-from birdcage.rotator.feature import Value
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection, beam_points, fit_beam
 from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in, noise_of
 from birdcage.station.task import ItemTask
+from birdcage.station.task_state import TaskValue
 from birdcage.tracking.steps import PointAt, Steps
 
 SIDE = 5
@@ -78,7 +78,7 @@ class PeakTask(ItemTask[tuple[float, float]]):
             yield PointAt(self._fit.az_deg, self._fit.el_deg)
 
     @property
-    def found(self) -> Mapping[str, Value]:
+    def found(self) -> Mapping[str, TaskValue]:
         """The middle of the source, with its standard deviation on the sky, its rise over the floor, and that."""
         return {} if self._fit is None else self._fit.values()
 

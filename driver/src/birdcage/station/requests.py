@@ -10,13 +10,10 @@ from birdcage.base.config import Settings
 from birdcage.rotator.feature import Value
 from birdcage.rotator.verdict import Grade
 from birdcage.station.pursuit_state import PursuitOptions
+from birdcage.station.task_state import TaskValue
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
-
-
-TaskValue = Value | tuple[tuple[float, ...], ...]
-"""What a task may be told: a value, or rows of numbers."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from typing import ClassVar, Generic, TypeVar
 
-from birdcage.rotator.feature import Value
-from birdcage.station.task_state import TaskPhase
+from birdcage.station.task_state import TaskPhase, TaskValue
 from birdcage.tracking.steps import StepResult, Steps
 
 Item = TypeVar("Item")
@@ -69,7 +68,7 @@ class Task(ABC):
         return self.done_words
 
     @property
-    def found(self) -> Mapping[str, Value]:
+    def found(self) -> Mapping[str, TaskValue]:
         """What it has found so far, by name, for faces."""
         return {}
 

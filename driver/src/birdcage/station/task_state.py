@@ -9,6 +9,9 @@ from enum import StrEnum
 
 from birdcage.rotator.feature import Value
 
+TaskValue = Value | tuple[tuple[float, ...], ...]
+"""What a task is told, and finds: a value, or rows of numbers."""
+
 
 class TaskPhase(StrEnum):
     """What becomes of a task."""
@@ -47,7 +50,7 @@ class TaskState:
     of: int | None = None
     is_done: bool = False
     """Whether it is over because all is done."""
-    found: Mapping[str, Value] = field(default_factory=dict)
+    found: Mapping[str, TaskValue] = field(default_factory=dict)
     """What it has found so far, by name: of a peak its direction, and how sure that is."""
 
 

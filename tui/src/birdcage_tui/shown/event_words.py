@@ -10,7 +10,7 @@ from birdcage_tui.shown.pursuit import STEERED
 from birdcage_tui.shown.state_words import ended_text
 from birdcage_tui.shown.view import YOU
 
-FINDING = {"peak": "Finding the peak", "acquire": "Searching"}
+FINDING = {"peak": "Finding the peak", "acquire": "Searching", "sweep": "Sweeping"}
 """What tasks do that go by the signal, by their kind."""
 
 

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from birdcage.signal.peak_task import SIDE, SPACING, PeakTask
-from birdcage.station.requests import BeginTask, TaskValue
+from birdcage.station.requests import BeginTask
+from birdcage.station.task_state import TaskValue
 
 from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.dialogs import QuestionScreen

@@ -11,7 +11,7 @@ from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
 
 if TYPE_CHECKING:
-    from birdcage.station.requests import TaskValue
+    from birdcage.station.task_state import TaskValue
 
 HOLDER = "birdcage peak"
 TAKES_S = 600.0

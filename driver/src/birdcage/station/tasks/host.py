@@ -11,11 +11,10 @@ from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
 from birdcage.station.events import TaskChanged
 from birdcage.station.parts import Parts
-from birdcage.station.requests import TaskValue
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import LinkPhase
 from birdcage.station.task import Task
-from birdcage.station.task_state import TaskPhase
+from birdcage.station.task_state import TaskPhase, TaskValue
 from birdcage.station.tasks import words
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.kept import TaskFile

@@ -1,0 +1,88 @@
+"""`birdcage sweep`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import click
+
+from birdcage.cli import exits
+from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
+
+if TYPE_CHECKING:
+    from birdcage.station.task_state import TaskState, TaskValue
+
+HOLDER = "birdcage sweep"
+TAKES_S = 3600.0
+"""How long a sweep may take."""
+
+
+@click.command("sweep", epilog=exits.EPILOG, context_settings=NEGATIVE_NUMBERS)
+@click.argument("axis", type=click.Choice(["az", "el"]))
+@click.argument("target", nargs=-1)
+@click.option("--span", "span_deg", metavar="DEG", type=click.FloatRange(0.1, 360.0), default=20.0, show_default=True,
+              help="From one end to the other.")  # fmt: skip
+@click.option("--step", "step_deg", metavar="DEG", type=click.FloatRange(0.05, 90.0), default=1.0, show_default=True,
+              help="From one direction to the next.")  # fmt: skip
+@click.option("--go", is_flag=True, help="End in the middle of the source that is found; else where it began.")
+@global_options()
+@click.pass_context
+def command(
+    context: click.Context, axis: str, target: tuple[str, ...], span_deg: float, step_deg: float, go: bool
+) -> None:  # fmt: skip
+    """Sweep an axis, az or el, through TARGET or through where the dish points now. Ctrl+C stops it.
+
+    In each direction the dish comes to rest and reads its own tuner; a line is printed: azimuth, elevation, mean, and
+    scatter of one reading. Then a beam on a floor is fitted, together with satellites of the arc that stand near by.
+    Directions beyond the limits are left out. Without a source the exit status is 1.
+    """
+    from birdcage.cli.attached_command import reach_dish
+    from birdcage.cli.commands.move import direction_to
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.signal_task import follow_task, known_slots, ready_dish
+    from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
+    from birdcage.signal.slots_heard import patterns_near
+    from birdcage.signal.sweep_task import SweepTask
+
+    no_options_among(target)
+    wants = wanted()
+    there = direction_to(target, None, None, wants, None) if target else None
+    with reach_dish(wants, HOLDER, moves=True) as dish:
+        position, width_deg = ready_dish(dish)
+        az_deg, el_deg = there or (position.az_deg, position.el_deg)
+        values: dict[str, TaskValue] = {
+            "axis": axis, "az_deg": az_deg, "el_deg": el_deg, "span_deg": span_deg, "step_deg": step_deg,
+            "width_deg": width_deg, "go": go,
+            "patterns": patterns_near(az_deg, el_deg, known_slots(wants), width_deg or ASSUMED_WIDTH_DEG),
+        }  # fmt: skip
+        lines = _Lines()
+        ended = follow_task(
+            dish, SweepTask.kind, values, HOLDER, TAKES_S, "{} of {} directions heard …",
+            None if flags().json else lines.show,
+        )  # fmt: skip
+        demo = dish.state.demo
+    if flags().json:
+        tell_json({**ended.found, "demo": demo})
+    elif "rise" in ended.found:
+        tell(ended.why)
+    if "rise" not in ended.found:
+        say(ended.why)
+        context.exit(exits.NOT_DONE)
+
+
+class _Lines:
+    """Prints each direction once."""
+
+    def __init__(self) -> None:
+        self._told = 0
+
+    def show(self, task: TaskState) -> None:
+        """Print what is new."""
+        from birdcage.cli.say import tell
+
+        line = task.found.get("line", ())
+        assert isinstance(line, tuple), "it is rows of numbers"
+        for az_deg, el_deg, mean, scatter, _count in line[self._told :]:
+            tell(f"{az_deg:7.2f} {el_deg:6.2f} {mean:8.1f} ±{scatter:.1f}")
+        self._told = len(line)

@@ -1,0 +1,45 @@
+"""`birdcage sweep`: a line for each direction, then the beam."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from tests.cli.test_peak import AZ_DEG, EL_DEG
+
+
+@pytest.fixture(autouse=True)
+def _quick_line(monkeypatch):
+    monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.3")
+
+
+def test_each_direction_is_a_line_and_the_last_one_says_where_the_peak_is(run):
+    result = run("sweep", "az", f"{AZ_DEG:.2f}", f"{EL_DEG:.2f}", "--span", "14", "--step", "2")
+    assert result.exit_code == 0, result.stderr
+    *lines, last = result.stdout.splitlines()
+    assert len(lines) == 8
+    assert all(re.fullmatch(r" *[\d.]+ +[\d.]+ +[\d.]+ ±\d\.\d", line) for line in lines), lines
+    peak = re.fullmatch(
+        r"Peak at azimuth ([\d.]+)° ±0\.\d\d°, [\d.]+° wide on the sky, 1\d\d over the floor of \d+\.", last
+    )
+    assert peak, last
+    assert float(peak[1]) == pytest.approx(AZ_DEG, abs=0.4)
+
+
+def test_as_json_where_nothing_is_heard_the_line_is_told_with_status_1(run):
+    result = run("sweep", "el", "10", "50", "--span", "4", "--step", "2", "--json")
+    assert result.exit_code == 1
+    assert '"line": [[' in result.stdout
+    assert "No source stands out of the floor on this line." in result.stderr
+
+
+@pytest.mark.parametrize("words", [("skew",), ("az", "--span", "0"), ("az", "--step", "0")])
+def test_what_is_no_sweep_is_refused(run, words):
+    assert run("sweep", *words).exit_code == 2
+
+
+def test_a_dish_without_a_tuner_is_not_moved(run):
+    result = run("sweep", "az", "60", "60", port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 1
+    assert "has no tuner to read. Nothing was sent." in result.stderr
