@@ -41,6 +41,23 @@ def test_through_a_station_the_same_and_control_is_given_back(run, as_json, pty_
     pty_dish.wait_for(lambda _truth: owner.station.state.holder is None)
 
 
+def test_a_peak_of_a_target_is_kept_for_the_calibration(run, as_json):
+    assert run("place", "add", "home", f"{SETTINGS.lat} {SETTINGS.lon}", "--use").exit_code == 0
+    result = run("peak", "61.5W", "--calibrate", port="sim:g2?heading=1.2&seed=2")
+    assert result.exit_code == 0, result.stderr
+    assert "Peak 1 of the calibration: 61.5°W EchoStar 16, good to 0.0" in result.stderr
+    (kept,) = as_json(run("calibrate", "list", "--json"))["peaks"]
+    assert kept["found"] == "rssi"
+    assert shortest_turn(kept["dish_az_deg"], kept["true_az_deg"]) == pytest.approx(1.2, abs=0.3)
+    assert kept["dish_el_deg"] == pytest.approx(kept["true_el_deg"], abs=0.2)
+
+
+def test_without_a_target_there_is_nothing_to_calibrate_by(run):
+    result = run("peak", "--calibrate")
+    assert result.exit_code == 2
+    assert "--calibrate needs a TARGET" in result.stderr
+
+
 def test_where_nothing_is_heard_it_says_so_with_status_1(run):
     result = run("peak", "60", "60")
     assert (result.exit_code, result.stdout) == (1, "")

@@ -31,10 +31,7 @@ class Acquired:
 
     def offsets(self, seen: SlotSeen, feed: FeedProfile) -> tuple[float, float]:
         """Return the offsets of the alignment, azimuth and elevation, that make it this slot."""
-        own, at = self.position, (self.az_deg, self.el_deg)
-        # It came to rest a little off the middle: the middle counts, as the dish would read it.
-        dish_az_deg = own.dish_az_deg + shortest_turn(own.az_deg, at[0])
-        dish_el_deg = own.dish_el_deg + at[1] - own.el_deg
+        dish_az_deg, dish_el_deg = dish_angles(self.position, self.az_deg, self.el_deg)
         az_deg = shortest_turn(dish_az_deg + feed.az_offset_deg, seen.az_deg)
         return round(az_deg, 2) + 0.0, round(seen.el_deg - dish_el_deg - feed.el_offset_deg, 2) + 0.0
 
@@ -43,17 +40,25 @@ class Acquired:
         return shortest_turn(seen.az_deg, self.az_deg), self.el_deg - seen.el_deg
 
 
+def dish_angles(position: Pointing, az_deg: float, el_deg: float) -> tuple[float, float]:
+    """Return what a dish would read in the middle of a source, from what it reads at rest a little off it."""
+    return position.dish_az_deg + shortest_turn(
+        position.az_deg, az_deg
+    ), position.dish_el_deg + el_deg - position.el_deg
+
+
 def acquired(
     found: Mapping[str, TaskValue], position: Pointing, among: Sequence[SlotSeen], reach_az_deg: float
 ) -> Acquired:  # fmt: skip
     """Return what was found; `reach_az_deg` is how far the search went to the sides."""
-    az_deg, el_deg, sigma_deg = (_number(found, name) for name in ("az_deg", "el_deg", "sigma_deg"))
+    az_deg, el_deg, sigma_deg = (number_of(found, name) for name in ("az_deg", "el_deg", "sigma_deg"))
     network = str(found.get(NETWORK, NO_NETWORK))
     may_be = slots_found(az_deg, el_deg, among, reach_az_deg, network)
     return Acquired(az_deg, el_deg, sigma_deg, _heard_words(found), found, may_be, position)
 
 
-def _number(found: Mapping[str, TaskValue], name: str) -> float:
+def number_of(found: Mapping[str, TaskValue], name: str) -> float:
+    """Return a number that a task has found. TypeError for what is none, from another program."""
     value = found[name]
     if isinstance(value, str | tuple):
         raise TypeError(f"{name} is {value!r}, which is no number")
@@ -61,12 +66,12 @@ def _number(found: Mapping[str, TaskValue], name: str) -> float:
 
 
 def _heard_words(found: Mapping[str, TaskValue]) -> str:
-    words = [f"{_number(found, 'rise'):.0f} over the floor"]
+    words = [f"{number_of(found, 'rise'):.0f} over the floor"]
     if LOCK in found:
-        tuned = f" on transponder {_number(found, TRANSPONDER):.0f}" if TRANSPONDER in found else ""
+        tuned = f" on transponder {number_of(found, TRANSPONDER):.0f}" if TRANSPONDER in found else ""
         words.append(f"{'locked' if found[LOCK] else 'no lock'}{tuned}")
     if SNR in found and found.get(LOCK) is not False:
-        words.append(f"SNR {_number(found, SNR):.1f} dB")
+        words.append(f"SNR {number_of(found, SNR):.1f} dB")
     if found.get(NETWORK, NO_NETWORK) != NO_NETWORK:
         words.append(f"network {found[NETWORK]}")
     return ", ".join(words)

@@ -11,6 +11,10 @@ from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from birdcage.cli.options import Wanted
+    from birdcage.station.state import Pointing
     from birdcage.station.task_state import TaskValue
 
 HOLDER = "birdcage peak"
@@ -22,9 +26,10 @@ TAKES_S = 600.0
 @click.argument("target", nargs=-1)
 @click.option("--width", "width_deg", metavar="DEG", type=click.FloatRange(0.1, 60.0),
               help="Expected width of the beam at half height.  [default: the feed's]")  # fmt: skip
+@click.option("--calibrate", is_flag=True, help="Keep the peak of TARGET for `birdcage calibrate fit`.")
 @global_options()
 @click.pass_context
-def command(context: click.Context, target: tuple[str, ...], width_deg: float | None) -> None:
+def command(context: click.Context, target: tuple[str, ...], width_deg: float | None, calibrate: bool) -> None:
     """Find the middle of a source by its signal, and point there. Ctrl+C stops it.
 
     The dish goes through 25 directions around TARGET, or around where it points now, and reads its own tuner in each. A
@@ -41,6 +46,8 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
     from birdcage.signal.slots_heard import patterns_near
 
     no_options_among(target)
+    if calibrate and not target:
+        raise click.UsageError("--calibrate needs a TARGET: where it stands is what is compared.")
     wants = wanted()
     there = direction_to(target, None, None, wants, None) if target else None
     with reach_dish(wants, HOLDER, moves=True) as dish:
@@ -56,7 +63,8 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
             "patterns": patterns,
         }
         ended = follow_task(dish, PeakTask.kind, values, HOLDER, TAKES_S, "{} of {} directions heard …")
-        demo = dish.state.demo
+        dish.look_anew()
+        demo, position = dish.state.demo, dish.state.position or position
     if not ended.found:
         say(ended.why)
         context.exit(exits.NOT_DONE)
@@ -64,3 +72,24 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
         tell_json({**ended.found, "demo": demo})
     else:
         tell(ended.why)
+    if calibrate:
+        say(_keep(target, wants, ended.found, position))
+
+
+def _keep(target: tuple[str, ...], wants: Wanted, found: Mapping[str, TaskValue], position: Pointing) -> str:
+    """Keep it as a peak of the calibration, and say so. StoreError where that can't be done."""
+    from dataclasses import replace
+
+    from birdcage.calibration.guide import peak_at
+    from birdcage.calibration.peak import LEAST_SIGMA_DEG
+    from birdcage.calibration.peaks_file import add_peak, peaks_file
+    from birdcage.cli.named_target import find_target
+    from birdcage.signal.acquired import dish_angles, number_of
+
+    meant = find_target(target, wants.paths, None, lambda _words: None).target
+    az_deg, el_deg = dish_angles(position, number_of(found, "az_deg"), number_of(found, "el_deg"))
+    middle = replace(position, dish_az_deg=az_deg, dish_el_deg=el_deg)
+    sigma_deg = max(number_of(found, "sigma_deg"), LEAST_SIGMA_DEG)
+    peak = replace(peak_at(wants.settings, meant, middle, sigma_deg), found="rssi")
+    kept = add_peak(peaks_file(wants.paths), peak)
+    return f"Peak {kept.number} of the calibration: {kept.target}, good to {kept.sigma_deg:.2f}°."
