@@ -110,15 +110,19 @@ def test_the_peak_is_found_only_after_a_yes_and_what_was_found_is_said():
             here = on.app.station.state.position
             await on.press("f")
             await on.wait(4)
-            asked, still = on.text(), on.app.station.state.position
-            await on.press("n", "f", "y")
+            asked = on.text()
+            await on.press("n")
+            await on.wait(4)
+            still, declined = on.app.station.state.position, on.app.station.state.tasks
+            await on.press("f", "y")
             await on.wait(12)
             running = on.text()
             await on.wait(50)
-            return (here, still), asked, running, on.text(), on.app.station.state
+            return (here, still, declined), asked, running, on.text(), on.app.station.state
 
-    (here, still), asked, running, ended, state = asyncio.run(play())
+    (here, still, declined), asked, running, ended, state = asyncio.run(play())
     assert "The dish goes through 25 directions, up to 3.9° to each side" in asked
+    assert declined == ()
     assert (here.az_deg, here.el_deg) == (still.az_deg, still.el_deg)
     assert re.search(r"Finding the peak: \d+ of 25 heard", running)
     assert re.search(r"Peak at 214\.\d\d°/38\.\d\d° ±0\.\d\d°, 1\d\d over the floor\.", ended)
