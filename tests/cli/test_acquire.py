@@ -36,7 +36,9 @@ def test_it_is_found_named_and_north_set_by_it(at_home, as_json):
     assert told["az_offset_deg"] == pytest.approx(5.0, abs=0.4)
     assert told["demo"] is True
     assert re.search(r"61\.5°W EchoStar 16 should be at 132\.8\d°/32\.6\d°\.", result.stderr)
-    assert re.search(r"As 61\.5°W it is [45]\.\d\d° left and 0\.\d\d° (above|below) its place\.", result.stderr)
+    assert re.search(
+        r"If it is 61\.5°W, it was found [45]\.\d\d° left of its place, 0\.\d\d° (above|below)\.", result.stderr
+    )
     assert f"Set: az offset {told['az_offset_deg']:+.2f}°, el offset" in result.stderr
     kept = load(Paths.default().config_file).alignment
     assert (kept.az_offset_deg, kept.el_offset_deg) == (told["az_offset_deg"], told["el_offset_deg"])
@@ -66,7 +68,7 @@ def test_what_stands_too_high_is_not_taken_for_it(capsys, set_north):
 
 def test_a_likelier_one_is_named_and_nothing_is_set_unasked(capsys):
     said = said_of(found("101W"), "110W", None, capsys, set_north=False)
-    assert re.search(r"As 110°W it is \d\.\d\d° left|As 110°W it is \d+\.\d\d° left", said)
+    assert re.search(r"If it is 110°W, it was found \d+\.\d\d° left of its place", said)
     assert "By its place it is more likely 101°W" in said
     assert said.endswith("Is it 110°W? The same with --set-north sets the alignment by it.\n")
 

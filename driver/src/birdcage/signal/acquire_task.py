@@ -211,7 +211,7 @@ class AcquireTask(Task):
             return LOST
         return (
             f"No signal stands out within {self.reach_az_deg:g}° to the sides and {self.reach_el_deg:g}° up and down. "
-            "The dish is back where it should be."
+            "The dish is back in the predicted direction."
         )
 
     def result(self) -> BeamFit | None:

@@ -118,7 +118,8 @@ def _tell_who(found: Acquired, meant: SlotSeen, wants: Wanted, *, set_north: boo
         say(f"By height and network this is not {meant.slot.label}. {may_be} Nothing was set.")
         return
     across, up = found.off(meant)
-    say(f"As {meant.slot.label} it is {_ways(across, 'right', 'left')} and {_ways(up, 'above', 'below')} its place.")
+    aside, height = _ways(across, "right", "left"), _ways(up, "above", "below")
+    say(f"If it is {meant.slot.label}, it was found {aside} of its place, {height}.")
     others = [each.slot.label for each in likeliest if each is not meant]
     if others:
         also = "It may also be" if likeliest[0] is meant else "By its place it is more likely"
