@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
+from datetime import UTC, datetime
 from itertools import pairwise
 
 import pytest
+from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import separation
-from birdcage.rotator.feature import LOCK, NETWORK, SNR, TRANSPONDER
+from birdcage.rotator.feature import LOCK, NETWORK, SNR, TRANSPONDER, Reading
 from birdcage.signal.acquire_task import AcquireTask
 from birdcage.sim.almanac import geostationary
 from birdcage.sim.settings import SimSettings
 from birdcage.station.events import TaskChanged
 from birdcage.station.requests import BeginTask
+from birdcage.station.state import LinkPhase
 from birdcage.station.task_state import TaskPhase
+from birdcage.tracking.steps import PointAt, StepResult
 
 from tests.signal.test_peak_task import made, off_deg
 
@@ -73,6 +78,38 @@ def test_what_lies_beyond_the_limits_is_left_out():
     ended = acquire(bench, 40.0, 19.0, reach_az_deg=4.0, reach_el_deg=8.0)
     assert ended.is_done, ended.why
     assert ended.done == ended.of
+
+
+@pytest.mark.parametrize("values", [
+    {"reach_az_deg": 180.0, "width_deg": 0.1}, {"reach_az_deg": 180.0, "reach_el_deg": 45.0, "width_deg": 2.0},
+    {"identify": "lock voltage"}, {"identify": 3.0}, {"el_deg": 89.0}, {"reach_el_deg": math.inf},
+    {"patterns": (tuple([1.0] * 40),)}, {"patterns": ((),) * 40},
+])  # fmt: skip
+def test_values_that_make_no_search_are_refused_and_the_station_lives_on(values):
+    bench = made()
+    with pytest.raises(CommandRefused):
+        bench.do(BeginTask("acquire", {"az_deg": 150.0, "el_deg": 40.0, **values}, "you"))
+    bench.step(1.0)
+    assert not bench.state.tasks
+    assert bench.state.link.state is LinkPhase.UP
+
+
+def test_what_is_warm_and_no_satellite_is_looked_into_once():
+    """A wall of warm ground on one side: every direction there stands out, and none has a peak."""
+    task = AcquireTask("you", 180.0, 30.0, 6.0, 15.0, 5.0)
+    steps = task.steps(0.0, asked=True)
+    step, heard = next(steps), []
+    with contextlib.suppress(StopIteration):
+        while True:
+            if isinstance(step, PointAt):
+                at = step.az_deg, step.el_deg
+                heard.append(at)
+            warm = 400.0 + 40.0 * max(0.0, at[0] - 180.0)
+            reading = Reading(warm, "counts", 0.0, datetime(2026, 11, 24, tzinfo=UTC))
+            step = steps.send(StepResult(0.0, readings={"rssi": reading}, true_az_deg=at[0], true_el_deg=at[1]))
+    assert not task.found
+    assert heard[-1] == (180.0, 30.0)
+    assert len(heard) < 330
 
 
 def test_the_spiral_covers_its_box_without_a_jump():

@@ -30,7 +30,11 @@ RING, RING_POINTS = 1.35, 6
 """A first sidelobe has its main lobe so many widths away; so many directions are looked at there."""
 MAIN_LOBE = 2.5
 """A main lobe rises at least so many times as high as its sidelobe, even where it is only brushed."""
-MOST_UPHILL = 40
+MOST_UPHILL = 8
+"""Half-beam steps: a signal that rises on and on is no satellite."""
+MOST_RINGS, MOST_DIRECTIONS = 200, 4000
+MOST_EL_DEG = 85.0
+"""Higher up an azimuth says nothing."""
 LOCK_TRIES, LOCK_EVERY_S = 3, 1.0
 """A tuner needs a moment to lock."""
 TRANSPONDERS = (16, 15)
@@ -71,27 +75,36 @@ class AcquireTask(Task):
     def __post_init__(self) -> None:
         """Raise TypeError, which refuses the task, for values that make no search."""
         check_number("az_deg", self.az_deg, -720.0, 720.0)
-        check_number("el_deg", self.el_deg, -10.0, 85.0)
+        check_number("el_deg", self.el_deg, -10.0, MOST_EL_DEG)
         check_number("width_deg", self.width_deg, 0.0, 60.0)
         check_number("reach_az_deg", self.reach_az_deg, 0.0, 180.0)
         check_number("reach_el_deg", self.reach_el_deg, 0.0, 45.0)
         check_patterns(self.patterns)
         if not isinstance(self.identify, str) or not set(self.identify.split()) <= set(IDENTIFIED_BY):
             raise TypeError(f"identify is {self.identify!r}. Give some of {', '.join(IDENTIFIED_BY)}")
+        columns, rows = self._cells
+        if max(columns, rows) > MOST_RINGS or (2 * columns + 1) * (2 * rows + 1) > MOST_DIRECTIONS:
+            raise TypeError(f"that are more than {MOST_DIRECTIONS} directions. Search less far")
         self._of = len(list(self._spiral()))
 
     @property
     def _width(self) -> float:
         return self.width_deg or ASSUMED_WIDTH_DEG
 
+    @property
+    def _cells(self) -> tuple[int, int]:
+        """How many steps of the spiral there are to each side, and up and down."""
+        step = STEP * self._width
+        return int(self.reach_az_deg / step), int(self.reach_el_deg / step)
+
     def _spiral(self) -> Iterator[tuple[float, float]]:
         """Yield directions, ring by ring about the predicted one, as far as the dish may be off."""
         step = STEP * self._width
-        columns, rows = int(self.reach_az_deg / step), int(self.reach_el_deg / step)
+        columns, rows = self._cells
         yield self._at(0, 0)
         for ring in range(1, max(columns, rows) + 1):
             for x, y in _around(ring):
-                if abs(x) <= columns and abs(y) <= rows and abs(self.el_deg + y * step) < 85.0:
+                if abs(x) <= columns and abs(y) <= rows and abs(self.el_deg + y * step) < MOST_EL_DEG:
                     yield self._at(x * step, y * step)
 
     def _at(self, right_deg: float, up_deg: float) -> tuple[float, float]:
@@ -103,19 +116,24 @@ class AcquireTask(Task):
         floor = yield from self._floor()
         if floor is None:
             return
+        vain: list[HeardDirection] = []
         for az_deg, el_deg in self._spiral():
-            here = yield from self._listen(az_deg, el_deg)
             self._done += 1
+            if any(_is_near(each, az_deg, el_deg, self._width) for each in vain):
+                continue  # something warm, which is no satellite, was looked into there
+            here = yield from self._listen(az_deg, el_deg)
             if here is None or not self._stands_out(here, floor):
                 continue
             top = yield from self._uphill(here)
             top = yield from self._main_lobe(top, floor)
-            peak = PeakTask(self.holder, top.az_deg, top.el_deg, self.width_deg, self.patterns, True)
+            about = top.az_deg, min(top.el_deg, MOST_EL_DEG)
+            peak = PeakTask(self.holder, *about, self.width_deg, self.patterns, True)
             yield from peak.steps(now_s, asked=asked)
             self._fit = peak.result()
             if self._fit is not None:
                 yield from self._ask_who()
                 return
+            vain += [here, top]
         yield PointAt(self.az_deg, self.el_deg)
 
     def _listen(self, az_deg: float, el_deg: float) -> Listening:
@@ -129,7 +147,7 @@ class AcquireTask(Task):
         """Listen off the arc: the sky above it is colder than the one below."""
         away = FLOOR_AWAY * self._width
         for el_deg in (self.el_deg + away, self.el_deg - away, self.el_deg):
-            if not 0.0 < el_deg < 85.0:
+            if not 0.0 < el_deg < MOST_EL_DEG:
                 continue
             heard = yield from listen_at(self.az_deg, el_deg, FLOOR_READS, optional=True)
             if heard is not None:
@@ -246,7 +264,7 @@ def _around(ring: int) -> Iterator[tuple[int, int]]:
 
 
 def _beside(here: HeardDirection, right_deg: float, up_deg: float) -> tuple[float, float]:
-    el_deg = min(max(here.el_deg + up_deg, -85.0), 85.0)
+    el_deg = min(max(here.el_deg + up_deg, -MOST_EL_DEG), MOST_EL_DEG)
     return wrap_360(here.az_deg + right_deg / math.cos(math.radians(el_deg))), el_deg
 
 
