@@ -113,7 +113,13 @@ def test_wider_than_this_machine_is_warned_of_and_shown(serve, run, as_json, pty
     words = "All computers on the network can move the dish"
     assert words in process.stderr.readline()
     pty_dish.wait_for(lambda _truth: "up" in process.stderr.readline())
-    status = as_json(run("status", "--json", port=pty_dish.path))
+    status: dict = {}
+
+    def shown(_truth):
+        status.update(as_json(run("status", "--json", port=pty_dish.path)))
+        return status["network"]
+
+    pty_dish.wait_for(shown)
     assert status["network"]["address"].startswith("0.0.0.0:")
     assert words in " ".join(status["warnings"])
 

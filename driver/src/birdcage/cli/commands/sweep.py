@@ -19,7 +19,7 @@ TAKES_S = 3600.0
 
 
 @click.command("sweep", epilog=exits.EPILOG, context_settings=NEGATIVE_NUMBERS)
-@click.argument("axis", type=click.Choice(["az", "el"]))
+@click.argument("axis", type=click.Choice(["az", "el"]), metavar="AXIS")
 @click.argument("target", nargs=-1)
 @click.option("--span", "span_deg", metavar="DEG", type=click.FloatRange(0.1, 360.0), default=20.0, show_default=True,
               help="From one end to the other.")  # fmt: skip
@@ -31,7 +31,7 @@ TAKES_S = 3600.0
 def command(
     context: click.Context, axis: str, target: tuple[str, ...], span_deg: float, step_deg: float, go: bool
 ) -> None:  # fmt: skip
-    """Sweep an axis, az or el, through TARGET or through where the dish points now. Ctrl+C stops it.
+    """Sweep AXIS, az or el, through TARGET or through where the dish points now. Ctrl+C stops it.
 
     In each direction the dish comes to rest and reads its own tuner; a line is printed: azimuth, elevation, mean, and
     scatter of one reading. Then a beam on a floor is fitted, together with satellites of the arc that stand near by.
