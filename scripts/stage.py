@@ -20,7 +20,7 @@ from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
 from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettings
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.setup.engine import Setup
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.source_set import SourceSet
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.drawing.themes import LOOKS
@@ -28,7 +28,6 @@ from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
 from birdcage_tui.feeds.settings import AppOptions
-from birdcage_tui.feeds.signal_source import SessionSignals
 from birdcage_tui.feeds.sky_feed import make_sky
 from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
@@ -116,11 +115,12 @@ async def demo(
         here = replace(HERE, radio=radio_of(paths, dish))
         write_downlinks(paths)
         remember_demo(paths, firmware)
+        signals = SourceSet(here, clock, threads=False)
         session = open_session(
             port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
-            identify=name_demo, tasks=SIGNAL_TASKS,
+            identify=name_demo, tasks=signals.tasks,
         )  # fmt: skip
-        signals = SessionSignals(session, here, lambda: here, threads=False)
+        signals.attach(session.station)
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppOptions(
             theme=theme,

@@ -16,7 +16,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.geometry import separation
 from birdcage.link.link import Link
 from birdcage.signal.beam_fit import FALL, BeamPoint, fit_beam
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.signal.slots_heard import patterns_near, seen_from
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sim.settings import SimSettings
@@ -68,7 +68,7 @@ def simulated(east_deg: float, seed: int) -> float:
     clock, place = VirtualClock(), SimSettings()
     device = open_device(f"g2?seed={seed}", clock=clock)
     settings = StationSettings(
-        "sim:g2", "g2", lambda port, _baud: Link(SimPort(device, port), clock), tasks=SIGNAL_TASKS
+        "sim:g2", "g2", lambda port, _baud: Link(SimPort(device, port), clock), tasks=signal_tasks()
     )
     station = Station(clock, settings)
     session, ended = Session(clock, station), list[TaskChanged]()

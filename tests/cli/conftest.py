@@ -15,7 +15,7 @@ from birdcage.base.clock import RealClock
 from birdcage.base.config import load
 from birdcage.base.paths import Paths
 from birdcage.cli.app import cli
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.station.build import open_session
 from birdcage.station.control_client import find_owners, owner_file, owners_folder
 from birdcage.station.control_server import ControlServer
@@ -128,7 +128,7 @@ def owner(pty_dish):
         paths=paths,
         clock=RealClock(),
         survey=False,
-        tasks=SIGNAL_TASKS,
+        tasks=signal_tasks(),
     )
     control_server = ControlServer(session.station, owners_folder(paths))
     session.control_server = control_server

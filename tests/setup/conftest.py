@@ -14,7 +14,7 @@ from birdcage.base.paths import Paths
 from birdcage.gps.fix import NoFix
 from birdcage.link.link import Link
 from birdcage.setup.engine import Setup
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
 from birdcage.station.session import Session
@@ -49,7 +49,7 @@ class House:
         wanted = StationSettings(
             port=settings.dish.port or self.first_port, firmware=self.firmware, baud=settings.dish.baud,
             open_link=self._open,
-            backup_folder=self.paths.backups, tasks=SIGNAL_TASKS,
+            backup_folder=self.paths.backups, tasks=signal_tasks(),
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
         self.station = Station(self.clock, wanted)

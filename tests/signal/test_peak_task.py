@@ -9,7 +9,7 @@ import pytest
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import shortest_turn
 from birdcage.signal.peak_task import NO_PEAK, PeakTask
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.almanac import geostationary
 from birdcage.sim.settings import SimSettings
 from birdcage.station.events import TaskChanged
@@ -24,7 +24,7 @@ ALONE = -61.5
 
 
 def made(address="g2?seed=1"):
-    return Bench(address, {"tasks": SIGNAL_TASKS}).connect(6.0)
+    return Bench(address, {"tasks": signal_tasks()}).connect(6.0)
 
 
 def begin(bench, az_deg, el_deg, width_deg=6.4):

@@ -17,7 +17,7 @@ from birdcage.link.link import Link
 from birdcage.setup.engine import Setup
 from birdcage.setup.first_run import is_first_run
 from birdcage.setup.step import NAMES
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.almanac import sun
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
@@ -56,7 +56,7 @@ class Garden:
         rules = rules_from(settings)
         wanted = StationSettings(
             port=settings.dish.port or self.port, firmware="g2", baud=settings.dish.baud, open_link=self._open,
-            backup_folder=self.paths.backups, tasks=SIGNAL_TASKS,
+            backup_folder=self.paths.backups, tasks=signal_tasks(),
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
         self.session = Stepped(self.clock, Station(self.clock, wanted))

@@ -18,11 +18,11 @@ from birdcage.radio.now import RadioState
 from birdcage.signal.monitor import SignalMonitor
 from birdcage.signal.receiver import ReceiverSource
 from birdcage.signal.source import Scale, SignalFacts, SignalReading
+from birdcage.signal.source_set import SourceSet
 from birdcage.signal.tuner import TUNER_FACTS, TunerSource
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import Unwatch, Watch
 from birdcage_tui.feeds.settings import AppOptions
-from birdcage_tui.feeds.signal_source import SessionSignals
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.signal_book import SignalBook
 from birdcage_tui.shown.view import View
@@ -286,7 +286,8 @@ def test_a_feed_of_the_receiver_is_heard_by_it_from_then_on():
     )  # fmt: skip
     clock, heard = VirtualClock(), []
     session = stand_in.Session(stand_in.at_rest(clock), clock)
-    signals = SessionSignals(session, Settings(), lambda: by_receiver, threads=False)
+    signals = SourceSet(Settings(), clock, lambda: by_receiver, threads=False)
+    signals.attach(session.station)
     monitor = signals.monitor(heard.append)
     monitor.watch(on=True)
     assert monitor.chosen.facts.id == "tuner"

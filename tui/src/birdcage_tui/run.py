@@ -19,7 +19,7 @@ from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
-from birdcage.signal.signal_tasks import SIGNAL_TASKS
+from birdcage.signal.source_set import SourceSet
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
@@ -35,7 +35,6 @@ from birdcage_tui.feeds.horizon_file import ConfigHorizon
 from birdcage_tui.feeds.network_source import StationNetwork
 from birdcage_tui.feeds.ready_watch import KeptChecks
 from birdcage_tui.feeds.settings import AppOptions
-from birdcage_tui.feeds.signal_source import SessionSignals
 from birdcage_tui.feeds.sky_feed import make_sky
 from birdcage_tui.feeds.track_source import follow_there, make_track
 from birdcage_tui.shell.birdcage_app import BirdcageApp
@@ -233,6 +232,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
 
+    sources = SourceSet(settings, clock, load_again)
     attached = None if options.demo else _attach(paths, settings.dish.port)
     session: FaceSession
     if attached is not None:
@@ -250,7 +250,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             survey=not options.skip_init,
             identify=name_demo if options.demo else None,
             load=load_again,
-            tasks=SIGNAL_TASKS,
+            tasks=sources.tasks,
         )
         # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
         # is: nothing else can be done there.
@@ -266,20 +266,21 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         for given in [dotted for dotted in flags if dotted.startswith("place.")]:
             del flags[given]  # what a person says here counts over what was given at the start
 
-    signals, network, services = SessionSignals(session, settings, load_again), None, Services()
+    sources.attach(session.station)
+    network, services = None, Services()
     if attached is not None:
         track = follow_there(attached.station)
     else:
         network = StationNetwork(own.station, clock, paths, load_again)
         if settings.rotctld.in_app:
             network.switch()  # what is wrong with it is a warning, and shown
-        track = make_track(own, settings, load_again, paths, demo=options.demo, signals=signals, services=services)
+        track = make_track(own, settings, load_again, paths, demo=options.demo, signals=sources, services=services)
     shown = replace(
         _app_settings(settings, paths, demo=options.demo, unheeded=_unheeded(options) if attached else ""),
         setup=make_setup,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=track,
-        signal=signals,
+        signal=sources,
         network=network,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),

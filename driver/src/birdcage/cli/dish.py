@@ -202,7 +202,7 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
-    from birdcage.signal.signal_tasks import SIGNAL_TASKS
+    from birdcage.signal.source_set import SourceSet
     from birdcage.station.build import open_session
 
     known = list_firmwares()
@@ -211,10 +211,13 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
             f"This version does not speak {wanted.firmware}. It speaks {', '.join(known)}. Without --firmware, "
             "BIRDCAGE_FIRMWARE and dish.firmware the port is asked."
         )
-    return open_session(
+    sources = SourceSet(wanted.settings, clock, wanted.load)
+    session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey, load=wanted.load, tasks=SIGNAL_TASKS,
+        clock=clock, survey=survey, load=wanted.load, tasks=sources.tasks,
     )  # fmt: skip
+    sources.attach(session.station)
+    return session
 
 
 def take_signals(stack: ExitStack, dish: StationCommand) -> SignalListener | None:

@@ -13,15 +13,14 @@ from birdcage.cli.attached_command import reach_dish
 from birdcage.cli.say import iso, say, tell, tell_json
 from birdcage.rotator.feature import POSITION
 from birdcage.signal.heard_from import heard_from
-from birdcage.signal.monitor import SignalMonitor
-from birdcage.signal.receiver import RECEIVER, ReceiverSource
-from birdcage.signal.tuner import TunerSource
+from birdcage.signal.source_set import SourceSet
 from birdcage.station.requests import Watch
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.cli.station_command import StationCommand
-    from birdcage.signal.source import SignalFacts, SignalReading, SignalSource
+    from birdcage.signal.monitor import SignalMonitor
+    from birdcage.signal.source import SignalFacts, SignalReading
 
 HOLDER = "birdcage rssi"
 FIRST_S = 20.0
@@ -67,8 +66,10 @@ class Summary:
         )
 
 
-def print_readings(dish_wanted: Wanted, *, count: int | None, seconds: float | None, as_json: bool) -> None:
-    """Print readings until there are so many, or so long; without either until a signal.
+def print_readings(
+    dish_wanted: Wanted, source: str, *, count: int | None, seconds: float | None, as_json: bool
+) -> None:
+    """Print readings until there are so many, or so long; without either until a signal. `source` is its id.
 
     CommandRefused for a dish without a tuner, NoReply where nothing is heard.
     """
@@ -77,21 +78,17 @@ def print_readings(dish_wanted: Wanted, *, count: int | None, seconds: float | N
         dish.come_up(15.0)
         dish.station.submit(Watch(HOLDER, frozenset({POSITION}), 1.0))
         told: queue.SimpleQueue[SignalReading] = queue.SimpleQueue()
-        tuner = TunerSource(dish.station)
-        receiver = None
-        if settings.active_feed.signal == RECEIVER:
-            receiver = ReceiverSource(dish.station, settings, dish.station.clock, threads=True)
-        sources: list[SignalSource] = [tuner] if receiver is None else [tuner, receiver]
-        monitor = SignalMonitor(sources, settings.active_feed.signal, told.put)
+        sources = SourceSet(settings, dish.station.clock)
+        sources.attach(dish.station)
+        sources.choose(source)
+        monitor = sources.monitor(told.put)
         summary = Summary(monitor.chosen.facts)
         try:
             monitor.watch(on=True, steady=True)
             _print(dish, monitor, told, summary, count=count, seconds=seconds, as_json=as_json)
         finally:
             monitor.close()
-            tuner.close()
-            if receiver is not None:
-                receiver.close()
+            sources.close()
             if words := summary.words():
                 say(words)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from birdcage.base.config.signals import OWN_TUNER
 from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.base.reason import Reason
 from birdcage.cli.dish import need_position
@@ -23,16 +24,17 @@ if TYPE_CHECKING:
     from birdcage.station.task_state import TaskState
 
 
-def ready_dish(dish: StationCommand) -> tuple[Pointing, float]:
-    """Wait for a dish that can be led by its own tuner; return where it points, and the width of its beam or 0.
+def ready_dish(dish: StationCommand, source: str) -> tuple[Pointing, float]:
+    """Wait for a dish that can be led by this source; return where it points, and the width of its beam or 0.
 
-    CommandRefused where it has no tuner; what `need_position` raises.
+    CommandRefused where that is the dish's own tuner, and it has none; what `need_position` raises.
     """
     dish.come_up(15.0)
     need_position(dish)
     facts, position, beam = dish.state.dish, dish.state.position, dish.state.beam
-    if facts is not None and not facts.has_rssi:
-        raise CommandRefused(f"The {facts.name} has no tuner to read. Nothing was sent.", reason=Reason.UNSUPPORTED)
+    if source == OWN_TUNER and facts is not None and not facts.has_rssi:
+        words = f"The {facts.name} has no tuner to read. With --source your receiver is heard. Nothing was sent."
+        raise CommandRefused(words, reason=Reason.UNSUPPORTED)
     assert position is not None, "it was waited for"
     return position, 0.0 if beam is None else beam.mean_deg
 

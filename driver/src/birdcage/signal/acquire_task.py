@@ -9,8 +9,9 @@ from statistics import median
 
 from birdcage.base.geometry import separation, wrap_360
 from birdcage.rotator.feature import LOCK, NETWORK, NO_NETWORK, SNR, TRANSPONDER, Value
-from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection
-from birdcage.signal.listen import Listening, check_number, check_patterns, listen_at, noise_of
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection, noise_of
+from birdcage.signal.ear import Ears, own_tuner
+from birdcage.signal.listen import Listening, check_number, check_patterns, listen_at
 from birdcage.signal.peak_task import LOST, PeakTask
 from birdcage.signal.slots_heard import SlotSeen, patterns_within
 from birdcage.station.task import Task
@@ -51,7 +52,7 @@ class AcquireTask(Task):
 
     Angles in degrees. `width_deg` is that of the beam, 0 for an unknown one; `reach_az_deg` and `reach_el_deg` say how
     far the dish may be off, on the sky. `patterns` as for `PeakTask`. `identify`: what this machine can be asked
-    about what it hears, out of `IDENTIFIED_BY`, with blanks between.
+    about what it hears, out of `IDENTIFIED_BY`, with blanks between. `source` as for `PeakTask`.
     """
 
     kind = "acquire"
@@ -66,6 +67,8 @@ class AcquireTask(Task):
     reach_el_deg: float = 5.0
     patterns: tuple[tuple[float, ...], ...] = ((),)
     identify: str = ""
+    source: str = ""
+    ears: Ears = field(default=own_tuner, repr=False)
     _heard: list[HeardDirection] = field(default_factory=list, init=False)
     _of: int = field(default=0, init=False)
     _done: int = field(default=0, init=False)
@@ -82,6 +85,7 @@ class AcquireTask(Task):
         check_patterns(self.patterns)
         if not isinstance(self.identify, str) or not set(self.identify.split()) <= set(IDENTIFIED_BY):
             raise TypeError(f"identify is {self.identify!r}. Give some of {', '.join(IDENTIFIED_BY)}")
+        self._ear = self.ears(self.source)
         columns, rows = self._cells
         if max(columns, rows) > MOST_RINGS or (2 * columns + 1) * (2 * rows + 1) > MOST_DIRECTIONS:
             raise TypeError(f"that are more than {MOST_DIRECTIONS} directions. Search less far")
@@ -112,6 +116,11 @@ class AcquireTask(Task):
         return wrap_360(self.az_deg + right_deg / math.cos(math.radians(el_deg))), el_deg
 
     def steps(self, now_s: float, *, asked: bool) -> Steps:
+        """Have the source read meanwhile."""
+        with self._ear.open():
+            yield from self._search(now_s, asked=asked)
+
+    def _search(self, now_s: float, *, asked: bool) -> Steps:
         """Measure the floor, search, and peak; go back to the predicted direction where nothing is found."""
         floor = yield from self._floor()
         if floor is None:
@@ -127,7 +136,7 @@ class AcquireTask(Task):
             top = yield from self._uphill(here)
             top = yield from self._main_lobe(top, floor)
             about = top.az_deg, min(top.el_deg, MOST_EL_DEG)
-            peak = PeakTask(self.holder, *about, self.width_deg, self.patterns, True)
+            peak = PeakTask(self.holder, *about, self.width_deg, self.patterns, True, ears=lambda _source: self._ear)
             yield from peak.steps(now_s, asked=asked)
             self._fit = peak.result()
             if self._fit is not None:
@@ -138,7 +147,7 @@ class AcquireTask(Task):
 
     def _listen(self, az_deg: float, el_deg: float) -> Listening:
         """Listen there, unless it is beyond the limits."""
-        heard = yield from listen_at(az_deg, el_deg, optional=True)
+        heard = yield from listen_at(self._ear, az_deg, el_deg, optional=True)
         if heard is not None:
             self._heard.append(heard)
         return heard
@@ -149,7 +158,7 @@ class AcquireTask(Task):
         for el_deg in (self.el_deg + away, self.el_deg - away, self.el_deg):
             if not 0.0 < el_deg < MOST_EL_DEG:
                 continue
-            heard = yield from listen_at(self.az_deg, el_deg, FLOOR_READS, optional=True)
+            heard = yield from listen_at(self._ear, self.az_deg, el_deg, FLOOR_READS, optional=True)
             if heard is not None:
                 self._heard.append(heard)
                 return heard
@@ -188,11 +197,17 @@ class AcquireTask(Task):
             turn = math.radians(index * 360.0 / RING_POINTS)
             reach = RING * self._width
             other = yield from self._listen(*_beside(top, reach * math.cos(turn), reach * math.sin(turn)))
-            if other is not None and other.mean - floor.mean > MAIN_LOBE * (top.mean - floor.mean):
+            if other is not None and self._rise(other, floor) > MAIN_LOBE * self._rise(top, floor):
                 best = max(best, other, key=lambda each: each.mean)
         if best is top:
             return top
         return (yield from self._uphill(best))
+
+    def _rise(self, here: HeardDirection, floor: HeardDirection) -> float:
+        """Return how far it rises, in power where decibels are heard."""
+        if self._ear.decibels:
+            return math.pow(10.0, (here.mean - floor.mean) / 10.0) - 1.0
+        return here.mean - floor.mean
 
     def _ask_who(self) -> Steps:
         """Read what the machine tells of the signal, on another transponder where it does not lock on this one."""

@@ -66,7 +66,8 @@ def number_of(found: Mapping[str, TaskValue], name: str) -> float:
 
 
 def _heard_words(found: Mapping[str, TaskValue]) -> str:
-    words = [f"{number_of(found, 'rise'):.0f} over the floor"]
+    decibels = found.get("unit") == "dB"
+    words = [f"{number_of(found, 'rise'):.{1 if decibels else 0}f}{' dB' if decibels else ''} over the floor"]
     if LOCK in found:
         tuned = f" on transponder {number_of(found, TRANSPONDER):.0f}" if TRANSPONDER in found else ""
         words.append(f"{'locked' if found[LOCK] else 'no lock'}{tuned}")

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from statistics import fmean
 from typing import Literal
 
@@ -26,6 +26,8 @@ ASSUMED_WIDTH_DEG = 5.0
 WIDTH_PRIOR, UNKNOWN_PRIOR = 0.5, 1.2
 """Standard deviation of the logarithm of a width that is known by theory, and of the assumed one."""
 MOST_STEPS = 40
+NO_FLOOR = 1e-4
+"""A floor of powers is taken to be no lower than this part of the highest level."""
 LEAST_RISE_SIGMAS = 6.0
 """A source must stand so many standard deviations over the floor."""
 MOST_SIGMA = 0.15
@@ -91,6 +93,13 @@ def beam_points(heard: Sequence[HeardDirection], noise: float, *, decibels: bool
     return points
 
 
+def noise_of(heard: Sequence[HeardDirection]) -> float:
+    """Return the standard deviation of one reading, by the scatter within each direction; 0 if that is not known."""
+    squares = [(value - each.mean) ** 2 for each in heard for value in each.values]
+    free = len(squares) - len(heard)
+    return math.sqrt(sum(squares) / free) if free > 0 else 0.0
+
+
 @dataclass(frozen=True, slots=True)
 class BeamFit:
     """What was found. Angles in degrees; values in the unit of the points."""
@@ -104,17 +113,31 @@ class BeamFit:
     width_deg: float
     """Full width at half height, as the source of the signal shows it: in counts it is no beam in decibels."""
     points: int
+    unit: str = ""
+    """Of rise and floor, with a blank before it; counts have none."""
+
+    def in_decibels(self, highest: float) -> BeamFit:
+        """Return it for powers in parts of the `highest` level, which is in decibels."""
+        floor = max(self.floor, NO_FLOOR)
+        rise_db = 10.0 * math.log10(1.0 + self.rise / floor)
+        return replace(self, rise=rise_db, floor=highest + 10.0 * math.log10(floor), unit=" dB")
+
+    @property
+    def rise_words(self) -> str:
+        """How far it rises."""
+        return f"{self.rise:.{1 if self.unit else 0}f}{self.unit} over the floor"
 
     @property
     def words(self) -> str:
         """Say where the middle is, how sure that is, and how far the signal rises."""
-        return f"Peak at {self.az_deg:.2f}°/{self.el_deg:.2f}° ±{self.sigma_deg:.2f}°, {self.rise:.0f} over the floor."
+        return f"Peak at {self.az_deg:.2f}°/{self.el_deg:.2f}° ±{self.sigma_deg:.2f}°, {self.rise_words}."
 
-    def values(self) -> dict[str, float]:
+    def values(self) -> dict[str, float | str]:
         """Return all by name, for other programs."""
         return {
             "az_deg": self.az_deg, "el_deg": self.el_deg, "sigma_deg": self.sigma_deg, "rise": self.rise,
             "floor": self.floor, "width_deg": self.width_deg, "points": self.points,
+            "unit": self.unit.strip() or "counts",
         }  # fmt: skip
 
 

@@ -2,41 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Generator, Sequence
 
-from birdcage.rotator.feature import RSSI
 from birdcage.signal.beam_fit import HeardDirection, Pattern
-from birdcage.tracking.steps import PointAt, ReadFeatures, Step, StepResult
+from birdcage.signal.ear import Ear
+from birdcage.tracking.steps import PointAt, Step, StepResult
 
-READS = 4
-"""Readings of the signal in one direction."""
 MOST_PATTERNS, MOST_NEIGHBOURS = 12, 6
 
 Listening = Generator[Step, StepResult, HeardDirection | None]
 
 
-def listen_at(az_deg: float, el_deg: float, reads: int = READS, *, optional: bool = False) -> Listening:
+def listen_at(ear: Ear, az_deg: float, el_deg: float, reads: int = 0, *, optional: bool = False) -> Listening:
     """Point at a true direction, and return what is heard there; None if nothing could be read.
 
-    `optional`: a direction beyond the dish's limits is left out, which gives None; else it ends the task.
+    `reads`: how many readings, 0 for as many as suit the source. `optional`: a direction beyond the dish's limits is
+    left out, which gives None; else it ends the task. NoReply where the source tells nothing any more.
     """
     there = yield PointAt(az_deg, el_deg, optional=optional)
     if there.true_az_deg is None or there.true_el_deg is None:
         return None
-    values = []
-    for _ in range(reads):
-        told = (yield ReadFeatures((RSSI,))).readings.get(RSSI)
-        if told is not None:
-            values.append(float(told.value))
+    values = yield from ear.values(reads or ear.reads)
     return HeardDirection(there.true_az_deg, there.true_el_deg, tuple(values)) if values else None
-
-
-def noise_of(heard: Sequence[HeardDirection]) -> float:
-    """Return the standard deviation of one reading, by the scatter within each direction; 0 if that is not known."""
-    squares = [(value - each.mean) ** 2 for each in heard for value in each.values]
-    free = len(squares) - len(heard)
-    return math.sqrt(sum(squares) / free) if free > 0 else 0.0
 
 
 def check_number(name: str, value: object, low: float, high: float) -> None:

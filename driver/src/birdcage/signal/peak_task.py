@@ -7,8 +7,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from birdcage.base.geometry import wrap_360
-from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection, beam_points, fit_beam
-from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in, noise_of
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection
+from birdcage.signal.ear import Ears, fit_heard, own_tuner
+from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in
 from birdcage.station.task import ItemTask
 from birdcage.station.task_state import TaskValue
 from birdcage.tracking.steps import PointAt, Steps
@@ -28,7 +29,7 @@ class PeakTask(ItemTask[tuple[float, float]]):
     Angles in degrees; `width_deg` is the width of the beam that is expected, 0 for an unknown one. `patterns` are
     the sources that may be heard beside this one: how far right of it and above it on the sky, one after the other in a
     row; several rows where it is not known which source this is. `partial`: directions
-    beyond the limits are left out; else they end it.
+    beyond the limits are left out; else they end it. `source` is the id of what it hears by, empty for the feed's own.
     """
 
     kind = "peak"
@@ -41,6 +42,8 @@ class PeakTask(ItemTask[tuple[float, float]]):
     width_deg: float = 0.0
     patterns: tuple[tuple[float, ...], ...] = ((),)
     partial: bool = False
+    source: str = ""
+    ears: Ears = field(default=own_tuner, repr=False)
     _heard: list[HeardDirection] = field(default_factory=list, init=False)
     _fit: BeamFit | None = field(default=None, init=False)
 
@@ -50,6 +53,12 @@ class PeakTask(ItemTask[tuple[float, float]]):
         check_number("el_deg", self.el_deg, -85.0, 85.0)
         check_number("width_deg", self.width_deg, 0.0, 60.0)
         check_patterns(self.patterns)
+        self._ear = self.ears(self.source)
+
+    def steps(self, now_s: float, *, asked: bool) -> Steps:
+        """Have the source read meanwhile."""
+        with self._ear.open():
+            yield from super().steps(now_s, asked=asked)
 
     def items(self) -> Sequence[tuple[float, float]]:
         """Return the directions: to and fro, so that each is next to the one before."""
@@ -64,14 +73,14 @@ class PeakTask(ItemTask[tuple[float, float]]):
 
     def do(self, item: tuple[float, float]) -> Steps:
         """Point there, and read the signal."""
-        heard = yield from listen_at(*item, optional=self.partial)
+        heard = yield from listen_at(self._ear, *item, optional=self.partial)
         if heard is not None:
             self._heard.append(heard)
 
     def finish(self) -> Steps:
         """Fit, and go to the middle of the source; to that of the grid if there is none."""
-        points = beam_points(self._heard, noise_of(self._heard))
-        self._fit = fit_beam(points, self.width_deg or None, [neighbours_in(row) for row in self.patterns])
+        patterns = [neighbours_in(row) for row in self.patterns]
+        self._fit = fit_heard(self._heard, self._ear, self.width_deg or None, patterns)
         if self._fit is None:
             yield PointAt(self.az_deg, self.el_deg)
         else:

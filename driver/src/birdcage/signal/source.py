@@ -26,7 +26,7 @@ class SignalFacts:
     """What holds for every reading of a source. What is not known of it is None."""
 
     id: str
-    """What `feed.NAME.signal` calls it: `tuner`, `rigctl`."""
+    """What `feed.NAME.signal` calls it: `tuner`, `rigctl`, the name of a `[signal.NAME]`."""
     label: str
     """What a person calls it, in a word."""
     unit: str
@@ -62,6 +62,8 @@ class SignalReading:
     utc: datetime
     source: str
     """The `id` of its facts."""
+    dwell_s: float = 0.0
+    """How long it measured, half of that before `at`; 0 if that is not known."""
 
 
 Hear = Callable[[SignalReading], object]

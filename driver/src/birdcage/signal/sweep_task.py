@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 from statistics import stdev
 
 from birdcage.base.geometry import wrap_360
-from birdcage.signal.beam_fit import CUTS, BeamFit, Cut, HeardDirection, beam_points, fit_beam
-from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in, noise_of
+from birdcage.signal.beam_fit import CUTS, BeamFit, Cut, HeardDirection
+from birdcage.signal.ear import Ears, fit_heard, own_tuner
+from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in
 from birdcage.signal.peak_task import LOST
 from birdcage.station.task import ItemTask
 from birdcage.station.task_state import TaskValue
@@ -23,8 +24,8 @@ class SweepTask(ItemTask[tuple[float, float]]):
     """Goes along an axis (`az` or `el`) through a true direction, from one end to the other.
 
     Angles in degrees, those of azimuth as the dish turns. `go`: it ends in the middle of the source; else, and where
-    there is none, in the middle of the line. `width_deg` and `patterns` as for `PeakTask`. What lies beyond the limits
-    is left out.
+    there is none, in the middle of the line. `width_deg`, `patterns` and `source` as for `PeakTask`.
+    What lies beyond the limits is left out.
     """
 
     kind = "sweep"
@@ -40,6 +41,8 @@ class SweepTask(ItemTask[tuple[float, float]]):
     width_deg: float = 0.0
     go: bool = False
     patterns: tuple[tuple[float, ...], ...] = ((),)
+    source: str = ""
+    ears: Ears = field(default=own_tuner, repr=False)
     _heard: list[HeardDirection] = field(default_factory=list, init=False)
     _fit: BeamFit | None = field(default=None, init=False)
 
@@ -55,6 +58,12 @@ class SweepTask(ItemTask[tuple[float, float]]):
         check_patterns(self.patterns)
         if self.span_deg / self.step_deg >= MOST_POINTS:
             raise TypeError(f"a sweep has at most {MOST_POINTS} directions. Give a longer step")
+        self._ear = self.ears(self.source)
+
+    def steps(self, now_s: float, *, asked: bool) -> Steps:
+        """Have the source read meanwhile."""
+        with self._ear.open():
+            yield from super().steps(now_s, asked=asked)
 
     def items(self) -> Sequence[tuple[float, float]]:
         """Return the directions."""
@@ -66,15 +75,14 @@ class SweepTask(ItemTask[tuple[float, float]]):
 
     def do(self, item: tuple[float, float]) -> Steps:
         """Point there, and read the signal."""
-        heard = yield from listen_at(*item, optional=True)
+        heard = yield from listen_at(self._ear, *item, optional=True)
         if heard is not None:
             self._heard.append(heard)
 
     def finish(self) -> Steps:
         """Fit, and go to the middle of the source or of the line."""
-        points = beam_points(self._heard, noise_of(self._heard))
         patterns = [neighbours_in(row) for row in self.patterns]
-        self._fit = fit_beam(points, self.width_deg or None, patterns, self.axis)
+        self._fit = fit_heard(self._heard, self._ear, self.width_deg or None, patterns, self.axis)
         if self._fit is not None and self.go:
             yield PointAt(self._fit.az_deg, self._fit.el_deg)
         else:
@@ -100,8 +108,8 @@ class SweepTask(ItemTask[tuple[float, float]]):
             return NO_SOURCE if self._heard else LOST
         axis, deg = ("azimuth", fit.az_deg) if self.axis == "az" else ("elevation", fit.el_deg)
         return (
-            f"Peak at {axis} {deg:.2f}° ±{fit.sigma_deg:.2f}°, {fit.width_deg:.1f}° wide on the sky, {fit.rise:.0f} "
-            f"over the floor of {fit.floor:.0f}."
+            f"Peak at {axis} {deg:.2f}° ±{fit.sigma_deg:.2f}°, {fit.width_deg:.1f}° wide on the sky, "
+            f"{fit.rise_words} of {fit.floor:.{1 if fit.unit else 0}f}{fit.unit}."
         )
 
     def result(self) -> BeamFit | None:

@@ -48,7 +48,7 @@ def open_session(
     identify: Callable[[str], str | None] | None = None,
     antenna: BirdcageAntenna | None = None,
     load: Callable[[], Settings] | None = None,
-    tasks: Mapping[str, type[Task]] = MappingProxyType({}),
+    tasks: Mapping[str, Callable[..., Task]] = MappingProxyType({}),
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 

@@ -106,7 +106,7 @@ class StationSettings(Rules):
     """The identity of the dish at a port, under which it is remembered; None for one that ends with the program."""
     held_keeper: HeldKeeper | None = None
     """Keeps HELD for the programs that come after; None if it ends with this one."""
-    tasks: Mapping[str, type[Task]] = field(default_factory=dict)
+    tasks: Mapping[str, Callable[..., Task]] = field(default_factory=dict)
     """Tasks that `BeginTask` may ask for, and that can be taken up again after the program has died, by their kinds."""
     not_now: NotNow | None = None
     """The command that says whether the dish may move unattended; None: it may."""

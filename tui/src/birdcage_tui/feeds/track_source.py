@@ -16,18 +16,18 @@ if TYPE_CHECKING:
     from birdcage.pursuit.attached_desk import AttachedDesk
     from birdcage.pursuit.desk import PursuitDesk
     from birdcage.pursuit.orders import Order
+    from birdcage.signal.source_set import SourceSet
     from birdcage.sky.horizon import HorizonMask
     from birdcage.sky.observer import Observer
     from birdcage.station.attached import AttachedStation
     from birdcage.station.services import Services
     from birdcage.station.session import Session
 
-    from birdcage_tui.feeds.signal_source import SessionSignals
     from birdcage_tui.feeds.track_feed import MakeTrack, ShowTrack
 
 
 def make_track(session: Session, settings: Settings, load: Callable[[], Settings], paths: Paths, *, demo: bool,
-               signals: SessionSignals | None = None, services: Services | None = None, threads: bool = True
+               signals: SourceSet | None = None, services: Services | None = None, threads: bool = True
                ) -> MakeTrack:  # fmt: skip
     """Return what opens the desk of a session, once the app wants it.
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from birdcage.base.config.document import read_document
-from birdcage.base.config.schema import KeyRow, rows
+from birdcage.base.config.schema import NAMED, KeyRow, rows
 from birdcage.base.config.value import BadValue, did_you_mean, from_toml
 from birdcage.base.errors import ConfigError
 from birdcage.base.paths import write_aside_and_rename
@@ -67,7 +67,7 @@ def _check(dotted: str, value: Value) -> None:
 
 def _row(dotted: str) -> KeyRow:
     parts = dotted.split(".")
-    schema = "feed.NAME." + parts[-1] if parts[0] == "feed" and len(parts) == 3 and parts[1] else dotted
+    schema = f"{parts[0]}.NAME.{parts[-1]}" if parts[0] in NAMED and len(parts) == 3 and parts[1] else dotted
     known = {row.path: row for row in rows()}
     if schema not in known:
         raise ConfigError(f"There is no setting {dotted}{did_you_mean(dotted, known)}.")

@@ -13,16 +13,17 @@ from birdcage.base.config.document import Document, read_document
 from birdcage.base.config.fact_sections import FACT_PARTS, FACT_SECTIONS, OwnFactSettings
 from birdcage.base.config.feeds import BUILT_IN, FeedProfile, FeedSettings
 from birdcage.base.config.field import Section
-from birdcage.base.config.schema import SECTIONS, KeyRow, rows_of
+from birdcage.base.config.schema import NAMED, SECTIONS, KeyRow, rows_of
 from birdcage.base.config.sections import DishSettings
 from birdcage.base.config.settings import Problem, Settings, Source
+from birdcage.base.config.signals import OWN_TUNER, PRESETS, RECEIVER, SignalProfile
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
 from birdcage.base.text import clean, clean_all
 
 S = TypeVar("S", bound=Section)
 
 PLAIN_SECTIONS = tuple(
-    each for each in SECTIONS if each not in (DishSettings, *FACT_SECTIONS, FeedSettings, FeedProfile)
+    each for each in SECTIONS if each not in (DishSettings, *FACT_SECTIONS, FeedSettings, *NAMED.values())
 )
 """Sections that hold nothing but their keys. Each is the field of `Settings` that has its name."""
 
@@ -58,7 +59,8 @@ class _Reader:
     def settings(self) -> Settings:
         """Read every section."""
         self._check_sections()
-        feed, feeds = self._feeds()
+        signals = self._signals()
+        feed, feeds = self._feeds(signals)
         dish, facts = self._dish()
         plain: dict[str, Any] = {section.section: self._plain(section) for section in PLAIN_SECTIONS}
         return Settings(
@@ -66,6 +68,7 @@ class _Reader:
             facts=facts,
             feed=feed,
             feeds=feeds,
+            signals=signals,
             **plain,
             problems=tuple(self._problems),
             sources=MappingProxyType(self._sources),
@@ -73,6 +76,7 @@ class _Reader:
 
     def _check_sections(self) -> None:
         known = {section.section: section for section in SECTIONS if "." not in section.section}
+        known["signal"] = SignalProfile
         for name, value in self._document.data.items():
             if name in known:
                 continue
@@ -118,7 +122,30 @@ class _Reader:
         self._complain(path, f"is a value, where a section [{'.'.join(path)}] belongs", limits_motion=True)
         return {}
 
-    def _feeds(self) -> tuple[FeedSettings, Mapping[str, FeedProfile]]:
+    def _signals(self) -> Mapping[str, SignalProfile]:
+        table = self._document.data.get("signal", {})
+        signals = dict(PRESETS)
+        for name, values in (table if isinstance(table, dict) else {"": table}).items():
+            if not isinstance(values, dict):
+                path = ("signal", name) if name else ("signal",)
+                self._complain(path, "is a value, where a section [signal.NAME] belongs", limits_motion=False)
+            elif name in (OWN_TUNER, RECEIVER):
+                self._complain(("signal", name), "is a name that is taken. Choose another", limits_motion=False)
+            else:
+                base = PRESETS.get(name, SignalProfile())
+                signals[name] = self._section(base, values, ("signal", name), limits_motion=False)
+        return MappingProxyType(signals)
+
+    def _with_known_signal(self, name: str, feed: FeedProfile, signals: Mapping[str, SignalProfile]) -> FeedProfile:
+        """Return a feed that reads a signal which there is."""
+        if feed.signal in (OWN_TUNER, RECEIVER) or feed.signal in signals:
+            return feed
+        known = (OWN_TUNER, RECEIVER, *signals)
+        what = f"is {feed.signal!r}, and there is no [signal.{feed.signal}]{did_you_mean(feed.signal, known)}"
+        self._complain(("feed", name, "signal"), what, limits_motion=False)
+        return dataclasses.replace(feed, signal=OWN_TUNER)
+
+    def _feeds(self, signals: Mapping[str, SignalProfile]) -> tuple[FeedSettings, Mapping[str, FeedProfile]]:
         table = self._table(FeedSettings)
         tables = {key: value for key, value in table.items() if isinstance(value, dict)}
         rest = {key: value for key, value in table.items() if key not in tables}
@@ -127,7 +154,8 @@ class _Reader:
         for name, values in tables.items():
             # A mistake in a feed that hangs on the wall keeps no dish from moving.
             limits = name == feed.active
-            feeds[name] = self._section(BUILT_IN.get(name, FeedProfile()), values, ("feed", name), limits)
+            read = self._section(BUILT_IN.get(name, FeedProfile()), values, ("feed", name), limits)
+            feeds[name] = self._with_known_signal(name, read, signals)
         if feed.active not in feeds:
             what = f"is {feed.active!r}, and there is no [feed.{feed.active}]{did_you_mean(feed.active, feeds)}"
             self._complain(("feed", "active"), what, limits_motion=True)

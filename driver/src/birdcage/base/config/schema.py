@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import types
 import typing
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -21,6 +22,7 @@ from birdcage.base.config.sections import (
     MotionSettings,
     PlaceSettings,
 )
+from birdcage.base.config.signals import SignalProfile
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
@@ -35,6 +37,7 @@ SECTIONS: tuple[type[Section], ...] = (
     PlaceSettings,
     FeedSettings,
     FeedProfile,
+    SignalProfile,
     ElementsSettings,
     TrackingSettings,
     AutotrackSettings,
@@ -46,6 +49,8 @@ SECTIONS: tuple[type[Section], ...] = (
     SetupSettings,
 )
 """In the order in which they are shown."""
+NAMED: Mapping[str, type[Section]] = {"feed": FeedProfile, "signal": SignalProfile}
+"""Those of which there may be many, `[feed.NAME]`, by the word before the name."""
 
 _UNITS = {
     "_deg_s2": "deg/s2",
@@ -106,7 +111,7 @@ def _row(section: type[Section], field: dataclasses.Field[Any], hint: object) ->
     kind, choices = _kind(hint)
     unit = next((unit for suffix, unit in _UNITS.items() if field.name.endswith(suffix)), None)
     env = declared.env
-    if env is None and kind not in ("sectors", "points") and section is not FeedProfile:
+    if env is None and kind not in ("sectors", "points") and section not in NAMED.values():
         env = f"BIRDCAGE_{section.section}_{field.name}".replace(".", "_").upper()
     return KeyRow(
         section=section.section,

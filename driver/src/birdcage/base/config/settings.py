@@ -21,6 +21,7 @@ from birdcage.base.config.sections import (
     MotionSettings,
     PlaceSettings,
 )
+from birdcage.base.config.signals import PRESETS, SignalProfile
 from birdcage.base.config.sky_sections import ElementsSettings
 from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
@@ -67,6 +68,8 @@ class Settings:
     feed: FeedSettings = field(default_factory=FeedSettings)
     feeds: Mapping[str, FeedProfile] = field(default_factory=lambda: BUILT_IN)
     """Every profile by name, the built-in ones among them."""
+    signals: Mapping[str, SignalProfile] = field(default_factory=lambda: PRESETS)
+    """The same of signals."""
     elements: ElementsSettings = field(default_factory=ElementsSettings)
     tracking: TrackingSettings = field(default_factory=TrackingSettings)
     autotrack: AutotrackSettings = field(default_factory=AutotrackSettings)

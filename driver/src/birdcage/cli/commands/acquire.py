@@ -8,6 +8,7 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
+from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:
     from birdcage.cli.station_command import StationCommand
@@ -28,10 +29,12 @@ SHOWN = 4
 @click.option("--up-down", "reach_el_deg", metavar="DEG", type=click.FloatRange(0.0, 45.0), default=5.0,
               show_default=True, help="How far up and down: how level the base stands.")  # fmt: skip
 @click.option("--set-north", is_flag=True, help="What is found is TARGET: write its offsets into birdcage.toml.")
+@source_option
 @global_options()
 @click.pass_context
 def command(
-    context: click.Context, target: tuple[str, ...], reach_az_deg: float, reach_el_deg: float, set_north: bool
+    context: click.Context, target: tuple[str, ...], reach_az_deg: float, reach_el_deg: float, set_north: bool,
+    source: str | None,
 ) -> None:  # fmt: skip
     """Find TARGET, a geostationary satellite, near where it should be. Ctrl+C stops the dish.
 
@@ -44,9 +47,10 @@ def command(
     from birdcage.cli.say import say, tell, tell_json
 
     wants = wanted()
+    by = heard_by(source, wants.settings)
     meant, slots = _slot(target, wants)
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        found = _search(dish, meant, slots, (reach_az_deg, reach_el_deg))
+        found = _search(dish, meant, slots, (reach_az_deg, reach_el_deg), by)
         demo = dish.state.demo
     if isinstance(found, str):
         say(found)
@@ -78,7 +82,11 @@ def _slot(target: tuple[str, ...], wants: Wanted) -> tuple[SlotSeen, tuple[SlotS
 
 
 def _search(
-    dish: StationCommand, meant: SlotSeen, slots: tuple[SlotSeen, ...], reach_deg: tuple[float, float]
+    dish: StationCommand,
+    meant: SlotSeen,
+    slots: tuple[SlotSeen, ...],
+    reach_deg: tuple[float, float],
+    by: str,
 ) -> Acquired | str:
     """Have the dish find it; return what was found, or why nothing was."""
     from birdcage.cli.say import say
@@ -86,10 +94,13 @@ def _search(
     from birdcage.signal.acquire_task import AcquireTask, values_for
     from birdcage.signal.acquired import acquired
 
-    _position, width_deg = ready_dish(dish)
+    _position, width_deg = ready_dish(dish, by)
     say(f"{meant.slot.label} {meant.slot.name} should be at {meant.az_deg:.2f}°/{meant.el_deg:.2f}°.")
     facts = dish.state.dish
-    values = values_for(meant, slots, reach_deg, width_deg, () if facts is None else tuple(facts.features))
+    values = {
+        "source": by,
+        **values_for(meant, slots, reach_deg, width_deg, () if facts is None else tuple(facts.features)),
+    }
     ended = follow_task(dish, AcquireTask.kind, values, HOLDER, TAKES_S, "{} of at most {} directions heard …")
     if not ended.found:
         return ended.why

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import click
 
 from birdcage.cli import exits
@@ -40,13 +42,14 @@ def show() -> None:
     reflector = None if model is None else model.reflector
     values: dict[str, object] = {}
     for row in rows():
-        if row.section == "feed.NAME":
-            continue
-        values[row.path] = getattr(settings.section(row.section), row.key)
-    for name, feed in settings.feeds.items():
-        for row in rows():
-            if row.section == "feed.NAME":
-                values[f"feed.{name}.{row.key}"] = getattr(feed, row.key)
+        if not row.section.endswith(".NAME"):
+            values[row.path] = getattr(settings.section(row.section), row.key)
+    profiles: dict[str, Mapping[str, object]] = {"feed": settings.feeds, "signal": settings.signals}
+    for kind, named in profiles.items():
+        for name, profile in named.items():
+            for row in rows():
+                if row.section == f"{kind}.NAME":
+                    values[f"{kind}.{name}.{row.key}"] = getattr(profile, row.key)
 
     def source(key: str) -> str:
         return settings.sources.get(key, "default")

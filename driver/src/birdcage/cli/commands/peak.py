@@ -9,6 +9,7 @@ import click
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
+from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -27,12 +28,15 @@ TAKES_S = 600.0
 @click.option("--width", "width_deg", metavar="DEG", type=click.FloatRange(0.1, 60.0),
               help="Expected width of the beam at half height.  [default: the feed's]")  # fmt: skip
 @click.option("--calibrate", is_flag=True, help="Keep the peak of TARGET for `birdcage calibrate fit`.")
+@source_option
 @global_options()
 @click.pass_context
-def command(context: click.Context, target: tuple[str, ...], width_deg: float | None, calibrate: bool) -> None:
+def command(
+    context: click.Context, target: tuple[str, ...], width_deg: float | None, calibrate: bool, source: str | None
+) -> None:
     """Find the middle of a source by its signal, and point there. Ctrl+C stops it.
 
-    The dish goes through 25 directions around TARGET, or around where it points now, and reads its own tuner in each. A
+    The dish goes through 25 directions around TARGET, or around where it points now, and reads the signal in each. A
     beam is fitted to all of them; the dish ends in its middle. Satellites of the arc that stand near by are fitted
     together with it, which needs a place and a north that is set. Without a source the dish goes back to the middle of
     the grid, and the exit status is 1. The ± counts noise alone.
@@ -49,9 +53,10 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
     if calibrate and not target:
         raise click.UsageError("--calibrate needs a TARGET: where it stands is what is compared.")
     wants = wanted()
+    by = heard_by(source, wants.settings)
     there = direction_to(target, None, None, wants, None) if target else None
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, known_deg = ready_dish(dish)
+        position, known_deg = ready_dish(dish, by)
         az_deg, el_deg = there or (position.az_deg, position.el_deg)
         width_deg = width_deg or known_deg
         beam = width_deg or ASSUMED_WIDTH_DEG
@@ -61,6 +66,7 @@ def command(context: click.Context, target: tuple[str, ...], width_deg: float | 
             "el_deg": el_deg,
             "width_deg": width_deg,
             "patterns": patterns,
+            "source": by,
         }
         ended = follow_task(dish, PeakTask.kind, values, HOLDER, TAKES_S, "{} of {} directions heard …")
         dish.look_anew()

@@ -6,19 +6,24 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
+from birdcage.cli.source_option import heard_by, source_option
 
 
 @click.command("rssi", epilog=exits.EPILOG)
 @click.option("--count", metavar="N", type=click.IntRange(min=1), help="End after so many readings.")
 @click.option("--seconds", metavar="S", type=click.FloatRange(min=0.1), help="End after so long.")
+@source_option
 @global_options()
-def command(count: int | None, seconds: float | None) -> None:
+def command(count: int | None, seconds: float | None, source: str | None) -> None:
     """Print the signal strength, a line each reading, as often as its source tells it. Moves nothing.
 
-    The source is the one of the mounted feed: the dish's own tuner, which is read while the dish rests, or your
-    receiver. If another birdcage program has the port, that one reads the tuner. Ctrl+C ends it; mean, scatter and the
-    direction of the strongest signal follow on stderr. With --json each line is one object.
+    The source is the one of the mounted feed, or the one that --source names: the dish's own tuner, which is read
+    while the dish rests, your receiver, or a program. If another birdcage program has the port, that one reads the
+    tuner. Ctrl+C ends it; mean, scatter and the direction of the strongest signal follow on stderr. With --json each
+    line is one object.
     """
     from birdcage.cli.rssi_run import print_readings
 
-    print_readings(wanted(), count=count, seconds=seconds, as_json=flags().json)
+    wants = wanted()
+    by = heard_by(source, wants.settings)
+    print_readings(wants, by, count=count, seconds=seconds, as_json=flags().json)

@@ -9,6 +9,7 @@ import click
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
+from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:
     from birdcage.station.task_state import TaskState, TaskValue
@@ -26,14 +27,16 @@ TAKES_S = 3600.0
 @click.option("--step", "step_deg", metavar="DEG", type=click.FloatRange(0.05, 90.0), default=1.0, show_default=True,
               help="From one direction to the next.")  # fmt: skip
 @click.option("--go", is_flag=True, help="End in the middle of the source that is found; else where it began.")
+@source_option
 @global_options()
 @click.pass_context
 def command(
-    context: click.Context, axis: str, target: tuple[str, ...], span_deg: float, step_deg: float, go: bool
+    context: click.Context, axis: str, target: tuple[str, ...], span_deg: float, step_deg: float, go: bool,
+    source: str | None,
 ) -> None:  # fmt: skip
     """Sweep AXIS, az or el, through TARGET or through where the dish points now. Ctrl+C stops it.
 
-    In each direction the dish comes to rest and reads its own tuner; a line is printed: azimuth, elevation, mean, and
+    In each direction the dish comes to rest and reads the signal; a line is printed: azimuth, elevation, mean, and
     scatter of one reading. Then a beam on a floor is fitted, together with satellites of the arc that stand near by.
     Directions beyond the limits are left out. Without a source the exit status is 1.
     """
@@ -47,13 +50,14 @@ def command(
 
     no_options_among(target)
     wants = wanted()
+    by = heard_by(source, wants.settings)
     there = direction_to(target, None, None, wants, None) if target else None
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, width_deg = ready_dish(dish)
+        position, width_deg = ready_dish(dish, by)
         az_deg, el_deg = there or (position.az_deg, position.el_deg)
         values: dict[str, TaskValue] = {
             "axis": axis, "az_deg": az_deg, "el_deg": el_deg, "span_deg": span_deg, "step_deg": step_deg,
-            "width_deg": width_deg, "go": go,
+            "width_deg": width_deg, "go": go, "source": by,
             "patterns": patterns_near(az_deg, el_deg, known_slots(wants), width_deg or ASSUMED_WIDTH_DEG),
         }  # fmt: skip
         lines = _Lines()

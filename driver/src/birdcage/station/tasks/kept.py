@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from datetime import UTC, datetime
 from pathlib import Path
@@ -22,7 +22,7 @@ from birdcage.station.task_state import KeptTask
 FILE = "task.json"
 CLOSE_S = 0.2
 
-Kinds = Mapping[str, type[Task]]
+Kinds = Mapping[str, Callable[..., Task]]
 """Tasks by their kind; those that can be taken up again are dataclasses of plain values."""
 
 

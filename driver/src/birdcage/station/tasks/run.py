@@ -155,6 +155,10 @@ class TaskRun:
             if self._steps is steps:
                 self.over(self.task.end_words, is_done=True)
             return
+        except BirdcageError as error:  # of what it waits for beside the dish
+            if self._steps is steps:
+                self.over(str(error), error=error)
+            return
         if self._steps is not steps:
             return
         self._runner.take(step)

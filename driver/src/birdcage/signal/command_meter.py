@@ -1,0 +1,148 @@
+"""A program that prints levels, a line each: started, asked where it wants that, and ended."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+import os
+import queue
+import shlex
+import shutil
+import threading
+from collections.abc import Callable
+from typing import IO
+
+from birdcage.base.clock import Clock
+from birdcage.base.process_group import ProcessGroup
+from birdcage.base.text import clean
+from birdcage.signal.meter import Level, MeterError, level_in
+
+LONGEST = 8192
+"""Characters of one line: rtl_power prints some thousands."""
+ENDS_S = 1.0
+MOST_WAITING = 1000
+
+
+class CommandMeter:
+    """Its standard error stays unread among its lines; the last line that holds no level is shown when it ends."""
+
+    def __init__(
+        self, command: str, clock: Clock, *, ask_every_s: float | None = None, dwell_s: float = 0.0,
+        level_of: Callable[[str], float | None] = level_in,
+    ) -> None:  # fmt: skip
+        """`ask_every_s`: how often it is sent an empty line, None for a program that prints unasked."""
+        self._command, self._clock, self._dwell_s, self._level_of = command, clock, dwell_s, level_of
+        self._ask_every_s = ask_every_s
+        self._group: ProcessGroup | None = None
+        self._lines: queue.Queue[tuple[str, float] | None] = queue.Queue(MOST_WAITING)
+        self._asked_at: float | None = None
+        self._last_words = ""
+
+    def open(self) -> None:
+        """Start it. MeterError where there is no such program."""
+        try:
+            words = shlex.split(self._command)
+        except ValueError as error:
+            raise MeterError(f"The command can't be read ({error}): {self._command}") from error
+        if not words or shutil.which(words[0]) is None:
+            raise MeterError(f"There is no program {words[0] if words else ''!r}. Install it, or write its whole path.")
+        try:
+            group = self._group = ProcessGroup(words, os.environ)
+        except OSError as error:
+            raise MeterError(f"{words[0]} can't be started ({error.strerror}).") from error
+        self._lines, self._asked_at, self._last_words = queue.Queue(MOST_WAITING), None, ""
+        reading = threading.Thread(target=self._listen, args=(group, self._lines), name="signal lines", daemon=True)
+        reading.start()
+
+    def read(self, within_s: float) -> Level | None:
+        """Return the level of the next line; lines without one are passed over."""
+        assert self._group is not None, "it was opened"
+        until = self._clock.monotonic() + within_s
+        self._ask(self._group)
+        while (left_s := until - self._clock.monotonic()) > 0.0:
+            try:
+                told = self._lines.get(timeout=left_s)
+            except queue.Empty:
+                return None
+            if told is None:
+                raise MeterError(self._ending(self._group))
+            line, at = told
+            value = self._level_of(line)
+            if value is None:
+                self._last_words = line.strip() or self._last_words
+                continue
+            if self._ask_every_s is None:
+                return Level(value, at - self._dwell_s / 2.0, self._dwell_s)
+            asked_at, self._asked_at = self._asked_at, None
+            if asked_at is not None:  # else nobody has asked for it
+                return Level(value, (asked_at + at) / 2.0, at - asked_at)
+        return None
+
+    def close(self) -> None:
+        """End it with all that it has started."""
+        group, self._group = self._group, None
+        if group is None:
+            return
+        if group.alive():
+            group.ask()
+            until = self._clock.monotonic() + ENDS_S
+            while group.alive() and self._clock.monotonic() < until:
+                self._clock.wait(None, self._clock.monotonic() + 0.02)
+            if group.alive():
+                group.kill()
+        for stream in (group.child.stdin, group.child.stdout):
+            if stream is not None and (stream is group.child.stdin or not group.alive()):
+                with contextlib.suppress(OSError, ValueError):
+                    stream.close()
+        with contextlib.suppress(Exception):
+            group.child.wait(ENDS_S)
+
+    def _ask(self, group: ProcessGroup) -> None:
+        if self._ask_every_s is None or group.child.stdin is None:
+            return
+        now = self._clock.monotonic()
+        if self._asked_at is None:
+            if now < self._next_ask_at:
+                return
+            with contextlib.suppress(OSError):  # it has ended, which its last line tells
+                group.child.stdin.write(b"\n")
+                group.child.stdin.flush()
+            self._asked_at, self._next_ask_at = now, now + self._ask_every_s
+
+    _next_ask_at = -math.inf
+
+    def _listen(self, group: ProcessGroup, lines: queue.Queue[tuple[str, float] | None]) -> None:
+        """Put its lines into the queue, with the time at which each was whole; None at the end."""
+        stream: IO[bytes] | None = group.child.stdout
+        assert stream is not None, "it is piped"
+        with contextlib.suppress(OSError, ValueError):
+            while line := stream.readline(LONGEST):
+                with contextlib.suppress(queue.Full):
+                    lines.put_nowait((clean(line.decode("utf-8", "replace")), self._clock.monotonic()))
+        with contextlib.suppress(queue.Full):
+            lines.put_nowait(None)
+
+    def _ending(self, group: ProcessGroup) -> str:
+        with contextlib.suppress(Exception):
+            group.child.wait(ENDS_S)
+        code, last = group.child.poll(), self._last_words[:80]
+        name = self._command.split()[0]
+        how = "has closed its output" if code is None else f"has ended with exit status {code}"
+        return f"{name} {how}{f': {last}' if last else ''}."
+
+
+def rtl_power_level(line: str) -> float | None:
+    """Return the power of a whole line of rtl_power, in dB; None for any other line.
+
+    `date, time, Hz low, Hz high, Hz step, samples, dB, dB, …`: the powers of its steps are added up.
+    """
+    cells = [cell.strip() for cell in line.split(",")]
+    if len(cells) < 7:
+        return None
+    try:
+        float(cells[2]), float(cells[3])
+        levels = [float(cell) for cell in cells[6:] if cell]
+    except ValueError:
+        return None
+    levels = [each for each in levels if math.isfinite(each)]
+    return 10.0 * math.log10(sum(10.0 ** (each / 10.0) for each in levels)) if levels else None

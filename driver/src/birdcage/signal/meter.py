@@ -1,0 +1,49 @@
+"""The seam to one conversation with something that tells levels: a program, a server, a receiver."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+from birdcage.base.errors import BirdcageError
+from birdcage.base.reason import Reason
+
+
+class MeterError(BirdcageError):
+    """It is over, and is begun anew a little later. The message says why, and what helps."""
+
+    reason = Reason.SILENT
+
+
+@dataclass(frozen=True, slots=True)
+class Level:
+    """One level."""
+
+    value: float
+    at: float
+    """Monotonic seconds: the middle of what was measured, as well as that can be told."""
+    dwell_s: float
+    """How long it measured; 0 if that is not known."""
+
+
+class Meter(Protocol):
+    """For one thread. `open`, then `read` again and again, and `close` on every way out; then it may be opened anew."""
+
+    def open(self) -> None:
+        """Begin. MeterError where that can't be done."""
+
+    def read(self, within_s: float) -> Level | None:
+        """Return the next level; None if none came within the time. MeterError once it is over."""
+
+    def close(self) -> None:
+        """End it, also where it was never opened."""
+
+
+def level_in(text: str) -> float | None:
+    """Return the finite number at the beginning of a line; None if there is none."""
+    words = text.replace(",", " ").split()
+    try:
+        value = float(words[0]) if words else float("nan")
+    except ValueError:
+        return None
+    return value if abs(value) < float("inf") else None

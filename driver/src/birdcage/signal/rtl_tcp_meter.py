@@ -1,0 +1,190 @@
+"""An RTL-SDR behind rtl_tcp: tuned from here, the power of a channel and a spectrum measured from its samples.
+
+On connecting rtl_tcp sends 12 bytes, `RTL0`, the tuner's type and how many gains it has, then samples without end: I
+and Q in turn, a byte each, 127.4 for nothing. A command is a byte and a 32-bit number, big-endian.
+"""
+
+from __future__ import annotations
+
+import math
+import socket
+import struct
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import ConfigError
+from birdcage.radio.opening import parse_address
+from birdcage.signal.meter import Level, MeterError
+
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
+FREQUENCY, SAMPLE_RATE, GAIN_MODE, GAIN, DIGITAL_AGC = 0x01, 0x02, 0x03, 0x04, 0x08
+AUTOMATIC, BY_HAND = 0, 1
+HEADER, MAGIC = 12, b"RTL0"
+CONNECT_S, HEADER_S = 2.0, 2.0
+BINS = 1024
+DWELL_S = 0.1
+STALE_S = 0.3
+"""After tuning, samples of before are still on their way."""
+CHUNK = 65_536
+ZERO = 127.4
+"""The mean of a sample byte, by the RTL2832U's own offset."""
+DC_BINS = 3
+"""The middle of the spectrum holds the receiver's own offset: a channel is measured beside it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tuned:
+    """How the receiver is set."""
+
+    freq_hz: float
+    sample_rate_hz: float
+    channel_hz: float
+    gain_db: float | None
+    """None: the tuner's own automatic gain."""
+
+    @property
+    def centre_hz(self) -> float:
+        """Where it is tuned: beside the channel, so that its own offset is not in it, where there is room for that."""
+        aside = self.channel_hz / 2.0 + 2.0 * DC_BINS * self.sample_rate_hz / BINS
+        fits = aside + self.channel_hz / 2.0 <= self.sample_rate_hz * 0.45
+        return self.freq_hz - aside if fits else self.freq_hz
+
+
+class RtlTcpMeter:
+    """Levels in dB of full scale, each of a tenth of a second."""
+
+    def __init__(self, address: str, tuned: Tuned, clock: Clock) -> None:
+        self._address, self._tuned, self._clock = address, tuned, clock
+        self._socket: socket.socket | None = None
+        self._samples = bytearray()
+        self._stale_until = 0.0
+        self.spectrum: npt.NDArray[np.float64] | None = None
+        """Of the last reading: power of `BINS` equal steps from the lowest frequency up, in dB of full scale."""
+
+    @property
+    def tuned(self) -> Tuned:
+        """How it is set."""
+        return self._tuned
+
+    def open(self) -> None:
+        """Connect, see that it is rtl_tcp, and tune."""
+        try:
+            host, port = parse_address(self._address)
+        except ConfigError:
+            raise MeterError(f"{self._address!r} is no address. Write localhost:1234.") from None
+        where = f"{host}:{port}"
+        try:
+            self._socket = socket.create_connection((host, port), CONNECT_S)
+            self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        except OSError as error:
+            raise MeterError(f"rtl_tcp does not listen at {where} ({error.strerror or error}). Start it.") from error
+        until = self._clock.monotonic() + HEADER_S
+        self._samples.clear()
+        while len(self._samples) < HEADER:
+            left_s = until - self._clock.monotonic()
+            if left_s <= 0.0:
+                raise MeterError(f"{where} says nothing. Does another program have the receiver?")
+            self._receive(left_s)
+        if self._samples[:4] != MAGIC:
+            raise MeterError(f"What listens at {where} is not rtl_tcp.")
+        del self._samples[:HEADER]
+        self._tune()
+
+    def read(self, within_s: float) -> Level | None:
+        """Take samples until a tenth of a second of them is there."""
+        want = 2 * BINS * max(1, round(self._tuned.sample_rate_hz * DWELL_S / BINS))
+        until = self._clock.monotonic() + within_s
+        while len(self._samples) < want:
+            left_s = until - self._clock.monotonic()
+            if left_s <= 0.0:
+                return None
+            self._receive(left_s)
+            if self._clock.monotonic() < self._stale_until:
+                # An even number of bytes: else I and Q would change places.
+                del self._samples[: len(self._samples) // 2 * 2]
+        taken = bytes(self._samples[:want])
+        behind = len(self._samples) - want
+        del self._samples[:want]
+        spectrum = spectrum_of(taken)
+        self.spectrum = 10.0 * _log10(spectrum)
+        value = 10.0 * math.log10(max(channel_power(spectrum, self._tuned), 1e-20))
+        seconds = 1.0 / (2.0 * self._tuned.sample_rate_hz)
+        dwell_s = want * seconds
+        return Level(value, self._clock.monotonic() - behind * seconds - dwell_s / 2.0, dwell_s)
+
+    def close(self) -> None:
+        """Hang up."""
+        connection, self._socket = self._socket, None
+        if connection is not None:
+            connection.close()
+
+    def _receive(self, within_s: float) -> None:
+        assert self._socket is not None, "it was opened"
+        self._socket.settimeout(max(within_s, 0.001))
+        try:
+            data = self._socket.recv(CHUNK)
+        except TimeoutError:
+            return
+        except OSError as error:
+            raise MeterError(f"The connection to rtl_tcp broke ({error.strerror or error}).") from error
+        if not data:
+            raise MeterError("rtl_tcp closed the connection. Is the receiver still plugged in?")
+        self._samples += data
+
+    def _tune(self) -> None:
+        tuned = self._tuned
+        by_hand = tuned.gain_db is not None and tuned.gain_db >= 0.0
+        commands = [
+            (SAMPLE_RATE, round(tuned.sample_rate_hz)), (FREQUENCY, round(tuned.centre_hz)), (DIGITAL_AGC, 0),
+            (GAIN_MODE, BY_HAND if by_hand else AUTOMATIC),
+        ]  # fmt: skip
+        if by_hand and tuned.gain_db is not None:
+            commands.append((GAIN, round(10.0 * tuned.gain_db)))
+        assert self._socket is not None, "it was opened"
+        try:
+            self._socket.sendall(b"".join(struct.pack(">BI", *each) for each in commands))
+        except OSError as error:
+            raise MeterError(f"The connection to rtl_tcp broke ({error.strerror or error}).") from error
+        self._stale_until = self._clock.monotonic() + STALE_S
+
+
+def spectrum_of(samples: bytes) -> npt.NDArray[np.float64]:
+    """Return the mean power in each of `BINS` steps, from the lowest frequency up; 1 is a tone of full scale.
+
+    Hann windows one after the other (P. D. Welch, IEEE Trans. Audio Electroacoust. 15, 70, 1967), without overlap.
+    `samples`: I and Q in turn, at least `2 * BINS` bytes.
+    """
+    import numpy as np
+
+    raw = np.frombuffer(samples, dtype=np.uint8).astype(np.float32)
+    pairs = ((raw - np.float32(ZERO)) / np.float32(128.0)).view(np.complex64)
+    blocks = pairs[: len(pairs) // BINS * BINS].reshape(-1, BINS)
+    window = np.hanning(BINS + 1)[:BINS].astype(np.float32)
+    transformed = np.fft.fftshift(np.fft.fft(blocks * window, axis=1), axes=1)
+    # By the window's own power: then the steps of a channel add up to the power that is in it.
+    power = (transformed.real.astype(np.float64) ** 2 + transformed.imag.astype(np.float64) ** 2).mean(axis=0)
+    scaled: npt.NDArray[np.float64] = power / (BINS * float((window.astype(np.float64) ** 2).sum()))
+    return scaled
+
+
+def channel_power(spectrum: npt.NDArray[np.float64], tuned: Tuned) -> float:
+    """Return the power in the channel, without the steps about the receiver's own offset."""
+    import numpy as np
+
+    steps = (np.arange(BINS) - BINS // 2) * tuned.sample_rate_hz / BINS
+    inside = np.abs(steps - (tuned.freq_hz - tuned.centre_hz)) <= tuned.channel_hz / 2.0
+    inside &= np.abs(np.arange(BINS) - BINS // 2) > DC_BINS // 2
+    if not inside.any():
+        inside[np.abs(steps - (tuned.freq_hz - tuned.centre_hz)).argmin()] = True
+    return float(spectrum[inside].sum())
+
+
+def _log10(power: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    import numpy as np
+
+    logarithm: npt.NDArray[np.float64] = np.log10(np.maximum(power, 1e-20))
+    return logarithm

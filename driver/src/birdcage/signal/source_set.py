@@ -1,0 +1,160 @@
+"""The signal sources of one station: those that settings name, made when they are first asked for."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from birdcage.base.config.signals import OWN_TUNER, RECEIVER
+from birdcage.signal.ear import Ear, SourceEar, TunerEar
+from birdcage.signal.signal_tasks import signal_tasks
+
+if TYPE_CHECKING:
+    from birdcage.base.clock import Clock
+    from birdcage.base.config import Settings
+    from birdcage.signal.meter_source import MeterSource
+    from birdcage.signal.monitor import SignalMonitor
+    from birdcage.signal.receiver import ReceiverSource
+    from birdcage.signal.source import Hear, SignalSource
+    from birdcage.signal.tuner import TunerSource
+    from birdcage.station.access import StationAccess
+    from birdcage.station.task import Task
+
+WATCHER = "task"
+
+
+class SourceSet:
+    """Any thread may call it. Nothing is connected to, or started, before somebody watches it."""
+
+    def __init__(
+        self, settings: Settings, clock: Clock, load: Callable[[], Settings] | None = None, *, threads: bool = True
+    ) -> None:
+        """`load` reads the settings again. `threads=False`: a test calls the receiver's `step`."""
+        self._settings, self._clock, self._load, self._threads = settings, clock, load, threads
+        self._station: StationAccess | None = None
+        self._lock = threading.RLock()
+        self._tuner: TunerSource | None = None
+        self._receiver: ReceiverSource | None = None
+        self._meters: dict[str, MeterSource] = {}
+        self._monitor: SignalMonitor | None = None
+        self._by_hand = ""
+        """The source that a person has chosen over the one that the feed names."""
+
+    def attach(self, station: StationAccess) -> None:
+        """Serve this station: its `settings.tasks` are `tasks`, so it comes into being later."""
+        self._station = station
+
+    @property
+    def tasks(self) -> Mapping[str, Callable[..., Task]]:
+        """What the station is given: tasks that hear by these sources."""
+        return signal_tasks(self.ear)
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """What there is to choose from: the dish's own first, presets last."""
+        receiver = (RECEIVER,) if self._settings.radio.rigctld is not None or self.chosen == RECEIVER else ()
+        named = [each for each in self._settings.signals if f"signal.{each}." in self._named]
+        return (OWN_TUNER, *receiver, *named, *(each for each in self._settings.signals if each not in named))
+
+    @property
+    def _named(self) -> str:
+        return " ".join(self._settings.sources)
+
+    @property
+    def chosen(self) -> str:
+        """The id of the source that counts: chosen by hand, else the feed's."""
+        return self._by_hand or self._settings.active_feed.signal
+
+    def get(self, source: str) -> SignalSource:
+        """Return a source by its id. KeyError for one that there is not."""
+        with self._lock:
+            if source == OWN_TUNER:
+                return self._own_tuner
+            if source == RECEIVER:
+                return self.receiver
+            if source not in self._meters:
+                from birdcage.signal.metered import metered_source
+
+                self._meters[source] = metered_source(source, self._settings, self._clock, self._attached)
+                self._meet(self._meters[source])
+            return self._meters[source]
+
+    @property
+    def receiver(self) -> ReceiverSource:
+        """The receiver that a pass tunes; the monitor hears it from then on."""
+        with self._lock:
+            if self._receiver is None:
+                from birdcage.signal.receiver import ReceiverSource
+
+                self._receiver = ReceiverSource(self._attached, self._settings, self._clock, threads=self._threads)
+                self._meet(self._receiver)
+            return self._receiver
+
+    def ear(self, source: str) -> Ear:
+        """Return how a task hears by a source, by the chosen one for an empty id. TypeError for an unknown one."""
+        source = source or self.chosen
+        if source == OWN_TUNER:
+            return TunerEar()
+        try:
+            return SourceEar(self.get(source), self._clock, WATCHER)
+        except KeyError:
+            raise TypeError(f"there is no signal source called {source}") from None
+
+    def monitor(self, hear: Hear) -> SignalMonitor:
+        """Return what reads the chosen one."""
+        from birdcage.signal.monitor import SignalMonitor
+
+        with self._lock:
+            chosen = self.get(self.chosen)
+            made = [self._own_tuner, self._receiver, *self._meters.values()]
+            sources = [each for each in made if each is not None]
+            self._monitor = SignalMonitor(sources, chosen.facts.id, hear)
+            return self._monitor
+
+    def choose(self, source: str) -> None:
+        """Take a source over the one that the feed names, until another feed is mounted. KeyError: there is none."""
+        self.get(source)
+        self._by_hand = source
+
+    def chosen_now(self) -> str:
+        """Read the settings again, as another feed was mounted; return the id of the source that it names."""
+        with self._lock:
+            before, self._by_hand = self._settings, ""
+            if self._load is not None:
+                self._settings = self._load()
+            if self._receiver is not None:
+                self._receiver.use(self._settings)
+            if (before.signals, before.active_feed) != (self._settings.signals, self._settings.active_feed):
+                for meter in self._meters.values():
+                    meter.close()
+                self._meters.clear()
+            self.get(self.chosen)
+            return self.chosen
+
+    def close(self) -> None:
+        """End all of them."""
+        with self._lock:
+            if self._tuner is not None:
+                self._tuner.close()
+            if self._receiver is not None:
+                self._receiver.close()
+            for meter in self._meters.values():
+                meter.close()
+
+    @property
+    def _attached(self) -> StationAccess:
+        assert self._station is not None, "it was attached to a station"
+        return self._station
+
+    @property
+    def _own_tuner(self) -> TunerSource:
+        if self._tuner is None:
+            from birdcage.signal.tuner import TunerSource
+
+            self._tuner = TunerSource(self._attached)
+        return self._tuner
+
+    def _meet(self, source: SignalSource) -> None:
+        if self._monitor is not None:
+            self._monitor.add(source)
