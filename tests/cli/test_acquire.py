@@ -98,7 +98,7 @@ def test_what_can_not_be_found_is_refused_before_the_dish_moves(at_home, target,
 def test_a_dish_without_a_tuner_is_not_moved(at_home):
     result = at_home("acquire", "61.5W", port="sim:hal205", firmware="hal205")
     assert result.exit_code == 1
-    assert "has no tuner to read. Nothing was sent." in result.stderr
+    assert "has no tuner to read. With --source your receiver is heard. Nothing was sent." in result.stderr
 
 
 def test_without_a_place_it_says_what_to_do(run):

@@ -67,7 +67,7 @@ def test_where_nothing_is_heard_it_says_so_with_status_1(run):
 def test_a_dish_without_a_tuner_is_not_moved(run):
     result = run("peak", "60", "60", port="sim:hal205", firmware="hal205")
     assert result.exit_code == 1
-    assert "has no tuner to read. Nothing was sent." in result.stderr
+    assert "has no tuner to read. With --source your receiver is heard. Nothing was sent." in result.stderr
 
 
 def test_beyond_the_limits_it_is_refused(run):

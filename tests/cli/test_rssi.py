@@ -14,6 +14,8 @@ from birdcage.signal.source import SignalReading
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.requests import Goto
 
+from tests.signal.stand_ins import program
+
 LINE = re.compile(r"\d\d:\d\d:\d\d\.\d\dZ +(\d+\.\d\d|--) +(\d+\.\d\d|--) {2}\d+ counts")
 
 
@@ -76,3 +78,28 @@ def test_mean_and_scatter_are_those_of_all_readings():
     assert (
         summary.words() == f"5 readings, 1.0 a second: mean 429.6 ±{spread:.1f} counts, highest 550 at 30.00 / 30.00."
     )
+
+
+def test_a_program_of_its_owner_is_heard_by_its_name(run, tmp_path):
+    command = program("import time, itertools; [(print(-41.5), time.sleep(0.05)) for _ in itertools.count()]")
+    file = tmp_path / "own.toml"
+    file.write_text(f'[signal.meter]\ncommand = """{command}"""\nunit = "dBm"\nevery_s = 0.1\n')
+    result = run("--config", file, "rssi", "--source", "meter", "--count", 3, port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 0, result.stderr
+    assert [line.split()[-2:] for line in result.stdout.splitlines()] == [["-41.5", "dBm"]] * 3
+    assert "mean -41.50" in result.stderr
+
+
+def test_a_source_that_there_is_not_is_refused_with_those_that_there_are(run):
+    result = run("rssi", "--source", "satdmp", port="sim:g2")
+    assert result.exit_code == 2
+    assert "There is no source 'satdmp'. There are tuner, rigctl, satdump" in result.stderr
+
+
+def test_a_program_that_is_not_there_is_said_and_nothing_is_waited_for_without_end(run, tmp_path, monkeypatch):
+    file = tmp_path / "own.toml"
+    file.write_text('[signal.meter]\ncommand = "no-such-program"\n')
+    monkeypatch.setattr("birdcage.cli.rssi_run.FIRST_S", 1.0)
+    result = run("--config", file, "rssi", "--source", "meter", "--count", 1, port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 3
+    assert "There is no program 'no-such-program'" in result.stderr

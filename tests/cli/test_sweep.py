@@ -42,4 +42,4 @@ def test_what_is_no_sweep_is_refused(run, words):
 def test_a_dish_without_a_tuner_is_not_moved(run):
     result = run("sweep", "az", "60", "60", port="sim:hal205", firmware="hal205")
     assert result.exit_code == 1
-    assert "has no tuner to read. Nothing was sent." in result.stderr
+    assert "has no tuner to read. With --source your receiver is heard. Nothing was sent." in result.stderr

@@ -163,6 +163,11 @@ def test_what_is_no_number_in_json_says_so(server, words):
         assert str(failed.value).isprintable()
 
 
+def test_where_no_server_is_it_says_what_to_start():
+    said = end_of(HttpMeter("http://127.0.0.1:1/api", "*.snr", CLOCK, every_s=0.05))
+    assert said == "Nothing answers at http://127.0.0.1:1/api. Start the program that serves it."
+
+
 def test_a_path_leads_through_names_lists_and_anything():
     data = {"stages": [{"snr": True}, {"snr": 4}], "x": {"y": 2.5}}
     assert number_at(data, ["x", "y"]) == 2.5

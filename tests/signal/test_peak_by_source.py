@@ -81,7 +81,7 @@ def test_the_middle_is_found_by_a_receiver_on_every_machine(machine):
     bench, source = made(machine, (0.0, 0.0))
     assert bench.state.link.state is LinkPhase.UP
     if bench.state.position is None:  # the Carryout tells where it is only once it has moved
-        bench.do(Goto(180.0, 45.0, "you"))
+        bench.station.submit(Goto(180.0, 45.0, "you"))
         bench.step(60.0)
     here = bench.state.position
     el_deg = min(max(here.el_deg, 35.0), 50.0)

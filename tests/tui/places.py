@@ -120,6 +120,8 @@ PLACES = (
             holds="SketchScreen/SketchPane"),
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
     _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
+    _dialog("source of the signal", "SignalPage.do", "f3", "s", dialog="SourceScreen",
+            holds="SourceScreen/OptionList"),
     _dialog("find the peak", "SignalPage.do", "f3", "f"),
     _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
     _dialog("forget all peaks", "CalibratePage._ask_begin", "f8", "C", "X"),

@@ -13,7 +13,7 @@ from stage import run
 SAID = {
     "? closes": ["question_mark"], "q closes": ["q"], "Backspace closes": ["backspace"],
     "Backspace clears it": ["backspace"], "Backspace leaves": ["backspace"], "n  do nothing": ["n"],
-    "; closes": ["semicolon"],
+    "; closes": ["semicolon"], "s closes": ["s"],
 }  # fmt: skip
 """What is said, and the keys that it means."""
 CANCEL = " Cancel "

@@ -113,6 +113,8 @@ def _see_that_it_may_tell(dish: StationCommand, monitor: SignalMonitor, begun: f
     trouble = monitor.chosen.trouble
     if trouble and monitor.chosen.facts.of_dish:
         raise CommandRefused(trouble, reason=Reason.UNSUPPORTED)
+    if trouble:
+        dish.progress.show(f"{trouble} It is tried again …")
     if dish.now > begun + FIRST_S:
         rests = "It is read while the dish rests." if monitor.chosen.facts.of_dish else "Does the receiver answer?"
         raise NoReply(trouble or f"The {monitor.chosen.facts.label} told nothing in {FIRST_S:.0f} s. {rests}")

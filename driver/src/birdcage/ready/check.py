@@ -8,7 +8,7 @@ from typing import Literal
 State = Literal["good", "look", "must"]
 Subject = Literal[
     "config", "place", "clock", "elements", "favourites", "ephemeris", "dish", "port", "search", "limits", "feed",
-    "downlinks", "radio", "hooks",
+    "downlinks", "radio", "signal", "hooks",
 ]  # fmt: skip
 GLYPHS: dict[State, str] = {"good": "✓", "look": "!", "must": "✗"}
 

@@ -17,12 +17,13 @@ if TYPE_CHECKING:
 
 
 def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bool = False) -> Iterator[Check]:
-    """Yield every check, in the order in which one mends them; takes at most 5 s.
+    """Yield every check, in the order in which one mends them; takes at most 10 s.
 
-    No port is opened. Over a network only the receiver is asked, where one is set: `try_recording` lets that
-    record for 2 s more.
+    No port is opened. Over a network the receiver is asked, where one is set, and what the feed is heard by:
+    `try_recording` lets the receiver record for 2 s more.
     """
     from birdcage.ready.radio import radio
+    from birdcage.ready.signal import signal
     from birdcage.ready.sky import clock
 
     for check in kept_checks(paths, settings, now):
@@ -31,6 +32,7 @@ def checks(paths: Paths, settings: Settings, now: datetime, *, try_recording: bo
             yield clock(paths, now)
         if check.subject == "downlinks":
             yield from radio(settings, try_recording=try_recording)
+            yield from signal(settings)
 
 
 def kept_checks(paths: Paths, settings: Settings, now: datetime) -> Iterator[Check]:

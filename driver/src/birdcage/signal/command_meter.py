@@ -15,7 +15,7 @@ from typing import IO
 from birdcage.base.clock import Clock
 from birdcage.base.process_group import ProcessGroup
 from birdcage.base.text import clean
-from birdcage.signal.meter import Level, MeterError, level_in
+from birdcage.signal.meter import MeterError, MeterReading, level_in
 
 LONGEST = 8192
 """Characters of one line: rtl_power prints some thousands."""
@@ -54,7 +54,7 @@ class CommandMeter:
         reading = threading.Thread(target=self._listen, args=(group, self._lines), name="signal lines", daemon=True)
         reading.start()
 
-    def read(self, within_s: float) -> Level | None:
+    def read(self, within_s: float) -> MeterReading | None:
         """Return the level of the next line; lines without one are passed over."""
         assert self._group is not None, "it was opened"
         until = self._clock.monotonic() + within_s
@@ -72,10 +72,10 @@ class CommandMeter:
                 self._last_words = line.strip() or self._last_words
                 continue
             if self._ask_every_s is None:
-                return Level(value, at - self._dwell_s / 2.0, self._dwell_s)
+                return MeterReading(value, at - self._dwell_s / 2.0, self._dwell_s)
             asked_at, self._asked_at = self._asked_at, None
-            if asked_at is not None:  # else nobody has asked for it
-                return Level(value, (asked_at + at) / 2.0, at - asked_at)
+            if asked_at is not None:  # else it answers no question of ours
+                return MeterReading(value, (asked_at + at) / 2.0, at - asked_at)
         return None
 
     def close(self) -> None:

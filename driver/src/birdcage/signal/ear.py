@@ -31,7 +31,7 @@ KEPT = 256
 Values = Generator[Step, StepResult, list[float]]
 
 
-class Ear(Protocol):
+class TaskEar(Protocol):
     """One source of the signal, as a task hears it at rest."""
 
     decibels: bool
@@ -46,7 +46,7 @@ class Ear(Protocol):
         """Hear what is measured from now on. NoReply where the source tells nothing any more."""
 
 
-Ears = Callable[[str], Ear]
+Ears = Callable[[str], TaskEar]
 """The ear of a source by its id, empty for the feed's. TypeError, which refuses a task, for an unknown one."""
 
 
@@ -128,7 +128,7 @@ class SourceEar:
         return told
 
 
-def own_tuner(source: str) -> Ear:
+def own_tuner(source: str) -> TaskEar:
     """Return the dish's own tuner: where there is no other source."""
     if source not in ("", "tuner"):
         raise TypeError(f"there is no signal source called {source}")
@@ -136,7 +136,7 @@ def own_tuner(source: str) -> Ear:
 
 
 def fit_heard(
-    heard: Sequence[HeardDirection], ear: Ear, width_deg: float | None, patterns: Sequence[Pattern] = ((),),
+    heard: Sequence[HeardDirection], ear: TaskEar, width_deg: float | None, patterns: Sequence[Pattern] = ((),),
     cut: Cut | None = None,
 ) -> BeamFit | None:  # fmt: skip
     """Fit a beam to what was heard; decibels are fitted as powers, which add up, and told in decibels again."""

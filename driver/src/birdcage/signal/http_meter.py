@@ -8,8 +8,9 @@ from collections.abc import Sequence
 from typing import Any
 
 from birdcage.base.clock import Clock
+from birdcage.base.reason import Reason
 from birdcage.base.text import clean
-from birdcage.signal.meter import Level, MeterError
+from birdcage.signal.meter import MeterError, MeterReading
 
 DEADLINE_S = 3.0
 LARGEST = 1_000_000
@@ -28,7 +29,7 @@ class HttpMeter:
         """Ask at once."""
         self._next_at = -math.inf
 
-    def read(self, within_s: float) -> Level | None:
+    def read(self, within_s: float) -> MeterReading | None:
         """Ask when it is time."""
         now = self._clock.monotonic()
         if now < self._next_at:
@@ -40,7 +41,7 @@ class HttpMeter:
         value = number_at(self._fetched(), self._path.split("."))
         if value is None:
             raise MeterError(f"The answer of {self._url} has no number at {self._path}. Look at it in a browser.")
-        return Level(value, (asked_at + self._clock.monotonic() - self._dwell_s) / 2.0, self._dwell_s)
+        return MeterReading(value, (asked_at + self._clock.monotonic() - self._dwell_s) / 2.0, self._dwell_s)
 
     def close(self) -> None:
         """Nothing stays open."""
@@ -52,6 +53,8 @@ class HttpMeter:
         try:
             reply = fetch(self._url, deadline_s=DEADLINE_S, largest=LARGEST)
         except FetchError as error:
+            if error.reason is Reason.OFFLINE:
+                raise MeterError(f"Nothing answers at {self._url}. Start the program that serves it.") from error
             raise MeterError(str(error)) from error
         if reply.status != 200:
             raise MeterError(f"{self._url} answers with status {reply.status}.")

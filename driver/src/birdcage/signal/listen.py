@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 
 from birdcage.signal.beam_fit import HeardDirection, Pattern
-from birdcage.signal.ear import Ear
+from birdcage.signal.ear import TaskEar
 from birdcage.tracking.steps import PointAt, Step, StepResult
 
 MOST_PATTERNS, MOST_NEIGHBOURS = 12, 6
@@ -13,7 +13,7 @@ MOST_PATTERNS, MOST_NEIGHBOURS = 12, 6
 Listening = Generator[Step, StepResult, HeardDirection | None]
 
 
-def listen_at(ear: Ear, az_deg: float, el_deg: float, reads: int = 0, *, optional: bool = False) -> Listening:
+def listen_at(ear: TaskEar, az_deg: float, el_deg: float, reads: int = 0, *, optional: bool = False) -> Listening:
     """Point at a true direction, and return what is heard there; None if nothing could be read.
 
     `reads`: how many readings, 0 for as many as suit the source. `optional`: a direction beyond the dish's limits is

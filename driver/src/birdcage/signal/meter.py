@@ -16,7 +16,7 @@ class MeterError(BirdcageError):
 
 
 @dataclass(frozen=True, slots=True)
-class Level:
+class MeterReading:
     """One level."""
 
     value: float
@@ -32,7 +32,7 @@ class Meter(Protocol):
     def open(self) -> None:
         """Begin. MeterError where that can't be done."""
 
-    def read(self, within_s: float) -> Level | None:
+    def read(self, within_s: float) -> MeterReading | None:
         """Return the next level; None if none came within the time. MeterError once it is over."""
 
     def close(self) -> None:

@@ -8,12 +8,12 @@ from datetime import timedelta
 
 from birdcage.base.clock import Clock
 from birdcage.signal.listeners import Listeners
-from birdcage.signal.meter import Level, Meter, MeterError
+from birdcage.signal.meter import Meter, MeterError, MeterReading
 from birdcage.signal.source import MONITOR, Hear, SignalFacts, SignalReading
 from birdcage.station.access import StationAccess
 
 SLICE_S = 0.2
-"""How long one read may wait: so soon it is seen that nobody watches any more."""
+"""How long one read may wait: so soon the end of watching is seen."""
 AGAIN_S, LONGEST_S = 0.5, 5.0
 """After a failure it is begun anew so soon, twice as late each time, and at last so late."""
 CLOSE_S = 1.0
@@ -51,7 +51,7 @@ class MeterSource:
         return self._readings.add(hear)
 
     def watch(self, watcher: str, *, steady: bool = False) -> None:  # noqa: ARG002 - it tells at a rate of its own
-        """Begin, if nobody else watches."""
+        """Begin with the first watcher."""
         with self._lock:
             self._watchers = (*(each for each in self._watchers if each != watcher), watcher)
             if self._thread is None:
@@ -92,7 +92,7 @@ class MeterSource:
             again_s = min(2.0 * again_s, LONGEST_S)
 
     def _converse(self, again_s: float) -> float:
-        """Read until nobody watches; MeterError once it is over."""
+        """Read until the last watcher has gone; MeterError once it is over."""
         facts, heard_at = self._facts, self._clock.monotonic()
         self._meter.open()
         while not self._changed.is_set():
@@ -114,7 +114,7 @@ class MeterSource:
             self._thread, self._trouble = None, ""
             return False
 
-    def _tell(self, level: Level, now: float) -> None:
+    def _tell(self, level: MeterReading, now: float) -> None:
         utc = self._clock.utc() - timedelta(seconds=(now - level.at) * self._clock.rate)
         facts = self._facts
         self._readings.tell(SignalReading(level.value, facts.unit, level.at, utc, facts.id, level.dwell_s))

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.signal.command_meter import CommandMeter, rtl_power_level
 from birdcage.signal.http_meter import HttpMeter
-from birdcage.signal.meter import Level, Meter, MeterError, level_in
+from birdcage.signal.meter import Meter, MeterError, MeterReading, level_in
 from birdcage.signal.meter_source import MeterSource
 from birdcage.signal.rigctl_meter import RigctlMeter
 from birdcage.signal.rtl_tcp_meter import DWELL_S, RtlTcpMeter, Tuned
@@ -27,7 +27,7 @@ SPAN_DB = 10.0
 def metered_source(name: str, settings: Settings, clock: Clock, station: StationAccess) -> MeterSource:
     """Return the source that `[signal.NAME]` says. KeyError where there is none; what it lacks is its trouble."""
     profile = settings.signals[name]
-    return MeterSource(_facts(name, profile), _meter(name, profile, settings, clock), clock, station)
+    return MeterSource(_facts(name, profile), meter_of(name, settings, clock), clock, station)
 
 
 def _facts(name: str, profile: SignalProfile) -> SignalFacts:
@@ -41,10 +41,13 @@ def _facts(name: str, profile: SignalProfile) -> SignalFacts:
         name, LABELS.get(name, name), profile.unit, Scale.LOG if log else Scale.LINEAR, 1.0 / every_s,
         max(LEAST_PAUSE_S, 3.0 * every_s), latency_s=None, dwell_s=dwell_s, decimals=1 if log else 3,
         span=SPAN_DB if log else 0.0, least=None, of_dish=False, demo=False,
+        where=profile.url or profile.address or profile.command or "",
     )  # fmt: skip
 
 
-def _meter(name: str, profile: SignalProfile, settings: Settings, clock: Clock) -> Meter:
+def meter_of(name: str, settings: Settings, clock: Clock) -> Meter:
+    """Return what reads the source that `[signal.NAME]` says. KeyError where there is none."""
+    profile = settings.signals[name]
     freq_hz = profile.freq_hz
     if freq_hz is None:
         feed = settings.active_feed
@@ -94,7 +97,7 @@ class UnsetMeter:
         """Say so."""
         raise MeterError(self._words)
 
-    def read(self, within_s: float) -> Level | None:  # noqa: ARG002 - it is never opened
+    def read(self, within_s: float) -> MeterReading | None:  # noqa: ARG002 - it is never opened
         """Return nothing."""
         return None
 

@@ -54,6 +54,7 @@ class ReceiverSource:
         return SignalFacts(
             RECEIVER, "receiver", "dB", Scale.LOG, 1.0 / LOOK_EVERY_S, PAUSE_S, latency_s=None, dwell_s=None,
             decimals=1, span=10.0, least=None, of_dish=False, demo=self.now.demo,
+            where=(self._radio.rigctld or "").partition("?")[0],
         )  # fmt: skip
 
     @property

@@ -10,7 +10,7 @@ from birdcage.radio.errors import RadioLost, RadioRefused
 from birdcage.radio.opening import caller
 from birdcage.radio.peer import no_level
 from birdcage.radio.rigctl import RigctlClient
-from birdcage.signal.meter import Level, MeterError
+from birdcage.signal.meter import MeterError, MeterReading
 
 REPLY_S = 1.0
 
@@ -32,7 +32,7 @@ class RigctlMeter:
         except (ConfigError, RadioLost) as error:
             raise MeterError(str(error)) from error
 
-    def read(self, within_s: float) -> Level | None:
+    def read(self, within_s: float) -> MeterReading | None:
         """Ask when it is time."""
         assert self._rig is not None, "it was opened"
         now = self._clock.monotonic()
@@ -48,7 +48,7 @@ class RigctlMeter:
             raise MeterError(no_level(refused.code)) from refused
         except RadioLost as error:
             raise MeterError(str(error)) from error
-        return Level(value, (asked_at + self._clock.monotonic() - self._dwell_s) / 2.0, self._dwell_s)
+        return MeterReading(value, (asked_at + self._clock.monotonic() - self._dwell_s) / 2.0, self._dwell_s)
 
     def close(self) -> None:
         """Hang up."""

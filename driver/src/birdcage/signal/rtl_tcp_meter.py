@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from birdcage.base.clock import Clock
 from birdcage.base.errors import ConfigError
 from birdcage.radio.opening import parse_address
-from birdcage.signal.meter import Level, MeterError
+from birdcage.signal.meter import MeterError, MeterReading
 
 if TYPE_CHECKING:
     import numpy as np
@@ -94,7 +94,7 @@ class RtlTcpMeter:
         del self._samples[:HEADER]
         self._tune()
 
-    def read(self, within_s: float) -> Level | None:
+    def read(self, within_s: float) -> MeterReading | None:
         """Take samples until a tenth of a second of them is there."""
         want = 2 * BINS * max(1, round(self._tuned.sample_rate_hz * DWELL_S / BINS))
         until = self._clock.monotonic() + within_s
@@ -114,7 +114,7 @@ class RtlTcpMeter:
         value = 10.0 * math.log10(max(channel_power(spectrum, self._tuned), 1e-20))
         seconds = 1.0 / (2.0 * self._tuned.sample_rate_hz)
         dwell_s = want * seconds
-        return Level(value, self._clock.monotonic() - behind * seconds - dwell_s / 2.0, dwell_s)
+        return MeterReading(value, self._clock.monotonic() - behind * seconds - dwell_s / 2.0, dwell_s)
 
     def close(self) -> None:
         """Hang up."""

@@ -49,6 +49,8 @@ class SignalFacts:
     """Whether it is the dish that is asked: it tells nothing while the dish does not answer, or is talked to."""
     demo: bool
     """Whether it is simulated."""
+    where: str = ""
+    """Where it is asked, for a person: an address, a command."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from birdcage.base.config.signals import OWN_TUNER, RECEIVER
-from birdcage.signal.ear import Ear, SourceEar, TunerEar
+from birdcage.signal.ear import SourceEar, TaskEar, TunerEar
 from birdcage.signal.signal_tasks import signal_tasks
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ class SourceSet:
                 self._meet(self._receiver)
             return self._receiver
 
-    def ear(self, source: str) -> Ear:
+    def ear(self, source: str) -> TaskEar:
         """Return how a task hears by a source, by the chosen one for an empty id. TypeError for an unknown one."""
         source = source or self.chosen
         if source == OWN_TUNER:

@@ -24,6 +24,7 @@ STEADY_HZ = 10.0
 TUNER_FACTS = SignalFacts(
     TUNER, "tuner", "counts", None, RSSI_READS / EXCURSION_PERIOD_S, PAUSE_S, latency_s=None, dwell_s=None,
     decimals=0, span=100.0, least=0.0, of_dish=True, demo=False,
+    where="The receiver in the dish. It is read while the dish rests.",
 )  # fmt: skip
 """Of every dish's own tuner. The scale of its counts was never measured, nor how long it looks."""
 

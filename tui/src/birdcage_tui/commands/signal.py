@@ -13,8 +13,8 @@ WHERE = ("signal",)
 def can_find(context: CommandContext) -> str | None:
     """Return why the dish cannot find the peak by itself now."""
     state = context.state
-    if state.dish is not None and not state.dish.has_rssi:
-        return f"The {state.dish.name} has no tuner to read."
+    if context.heard.of_dish and state.dish is not None and not state.dish.has_rssi:
+        return f"The {state.dish.name} has no tuner to read. s chooses another source."
     if state.position is None or state.position_lost is not None:
         return "Where the dish points is unknown. Home it first."
     if finding_now(state) is not None:
@@ -28,6 +28,10 @@ SIGNAL = (
     Command(
         "signal-find", ("f",), "f", "Find the peak …", "Listen in 25 directions around here, and end in the middle.",
         "Signal", can_find, footer="find", where=WHERE,
+    ),
+    Command(
+        "signal-source", ("s",), "s", "Source …", "Hear by another source: the dish, your receiver, a program.",
+        "Signal", footer="source", where=WHERE,
     ),
     Command(
         "signal-peak", ("p",), "p", "To the peak …", "Offer the way to the strongest signal. Enter sends the dish.",

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from birdcage.signal.monitor import SignalMonitor
-from birdcage.signal.source import Hear, SignalReading
+from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
 from birdcage.station.access import FaceStation
 
 from birdcage_tui.shown.signal_book import SignalBook
+from birdcage_tui.shown.source_choice import SourceChoice
 
 SIGNAL, STEADY = "signal", "signal steadily"
 """What a page names that shows it; the second where the signal alone counts."""
@@ -21,6 +22,16 @@ class SignalSources(Protocol):
 
     def monitor(self, hear: Hear) -> SignalMonitor:
         """Return what reads the one that the feed names; `hear` is called on any thread."""
+
+    @property
+    def ids(self) -> Sequence[str]:
+        """What there is to choose from."""
+
+    def get(self, source: str) -> SignalSource:
+        """Return a source by its id."""
+
+    def choose(self, source: str) -> None:
+        """Take a source over the one that the feed names, until another feed is mounted."""
 
     def chosen_now(self) -> str:
         """Read the settings again, and return the id of the source that the mounted feed names."""
@@ -52,6 +63,27 @@ class SignalFeed:
     def trouble(self) -> str:
         """Why nothing is read of the source that the feed names; empty while all is well."""
         return "" if self._monitor is None else self._monitor.chosen.trouble
+
+    @property
+    def choices(self) -> Sequence[SourceChoice]:
+        """The sources that can be heard."""
+        if self._monitor is None:
+            return ()
+        owners, chosen = self._station.state.signal_owners, self._monitor.chosen.facts.id
+        sources = [self._monitor.chosen]
+        if self._sources is not None:
+            sources = [self._sources.get(each) for each in self._sources.ids]
+        return [
+            SourceChoice(each.facts, each.facts.id == chosen, owners.get(each.facts.id, ""), each.trouble)
+            for each in sources
+        ]
+
+    def choose(self, source: str) -> None:
+        """Hear by another one, with nothing of what was heard by the one before."""
+        if self._sources is not None and self._monitor is not None and source != self._monitor.chosen.facts.id:
+            self._sources.choose(source)
+            self._monitor.choose(source)
+            self.book.choose(self._monitor.chosen.facts)
 
     def watch(self, shown: frozenset[str], *, typing: bool) -> frozenset[str]:
         """Have it read if it is among what a page shows; return the rest of that.

@@ -11,6 +11,7 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
+from birdcage_tui.signal.choose import SourceScreen
 from birdcage_tui.signal.find import begin_find, find_question
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
@@ -42,7 +43,10 @@ class SignalPage(Page):
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
     RATE_HZ = 1.0
-    HELP = "The signal, read as often as the wire allows. Arrows step the dish; f finds the peak, p goes there."
+    HELP = (
+        "The signal, read as often as the wire allows. Arrows step the dish. f finds the peak, p goes there. "
+        "s chooses the source."
+    )
 
     def compose(self) -> ComposeResult:
         """From the top."""
@@ -101,6 +105,14 @@ class SignalPage(Page):
             begin_find(self.host.view(), self.host.ask)
             self.host.say("Finding the peak. Space stops the dish.")
 
+    def _hear_by(self, source: str | None) -> None:
+        if source is None:
+            return
+        self.host.signals.choose(source)
+        facts = self.host.signals.book.chosen
+        feed = self.host.view().state.feed_name
+        self.host.say(f'Source: {facts.label}. signal = "{facts.id}" in [feed.{feed}] keeps it.')
+
     def do(self, command: str) -> bool:
         """Offer the way to the peak, or forget it."""
         level = self.host.view().level
@@ -113,6 +125,8 @@ class SignalPage(Page):
                     self.host.open_goto(f"{to[0]:.2f} {to[1]:.2f}")
             case "signal-find":
                 self.app.push_screen(find_question(self.host.view()), self._find)
+            case "signal-source":
+                self.app.push_screen(SourceScreen(self.host.signals.choices), self._hear_by)
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")

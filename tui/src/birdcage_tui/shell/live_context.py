@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol
 
+from birdcage.signal.source import SignalFacts
 from birdcage.station.access import FaceSession
 from birdcage.station.state import StationState
 
@@ -54,6 +55,11 @@ class LiveContext:
     def track(self) -> DeskNow | None:
         """What the pursuit desk shows."""
         return self._host.track.now
+
+    @property
+    def heard(self) -> SignalFacts:
+        """The source of the signal that is shown."""
+        return self._host.signals.book.heard
 
     @property
     def via(self) -> str:

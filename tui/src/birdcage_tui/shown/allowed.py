@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol
 
+from birdcage.signal.source import SignalFacts
 from birdcage.station.state import Activity, LinkPhase, StationState
 
 from birdcage_tui.shown.view import YOU
@@ -43,6 +44,10 @@ class CommandContext(Protocol):
     @property
     def track(self) -> DeskNow | None:
         """What the pursuit desk shows; None before it has told anything."""
+
+    @property
+    def heard(self) -> SignalFacts:
+        """The source of the signal that is shown."""
 
     @property
     def via(self) -> str:

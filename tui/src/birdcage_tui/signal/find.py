@@ -33,6 +33,7 @@ def begin_find(view: View, ask: Callable[[BeginTask], object]) -> None:
     width_deg = 0.0 if view.state.beam is None else view.state.beam.mean_deg
     values: dict[str, TaskValue] = {
         "az_deg": position.az_deg, "el_deg": position.el_deg, "width_deg": width_deg, "patterns": _patterns(view),
+        "source": view.heard.id,
     }  # fmt: skip
     ask(BeginTask(PeakTask.kind, values, YOU))
 

@@ -63,9 +63,8 @@ class FeedProfile(Section):
     )
     el_offset_deg: float = setting(0.0, "How far the beam looks above the dish's axis.", minimum=-45.0, maximum=45.0)
     signal: str = setting(
-        "tuner", "Where its signal is read: tuner (the dish's own), rigctl (the receiver at [radio] rigctld), or the "
-        "name of a [signal.NAME]: satdump, gqrx, sdrpp, rtl_tcp and rtl_power are built in."
-    )  # fmt: skip
+        "tuner", "Where its signal is read: tuner, rigctl, satdump, gqrx, sdrpp, rtl_tcp, rtl_power, or a signal.NAME."
+    )
     stow_allowed: bool = setting(False, "Whether the dish may fold flat with this feed: false if it would be crushed.")
 
     @property

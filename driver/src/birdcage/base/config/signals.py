@@ -61,7 +61,7 @@ class SignalProfile(Section):
 
 
 PRESETS: Mapping[str, SignalProfile] = MappingProxyType({
-    "satdump": SignalProfile("http", url="http://localhost:8081/api", path="*.snr", every_s=0.5),
+    "satdump": SignalProfile("http", url="http://localhost:8081/api", path="*.snr", every_s=0.5, dwell_s=1.0),
     "gqrx": SignalProfile("rigctl", address="localhost:7356", unit="dBFS", every_s=0.2),
     "sdrpp": SignalProfile("rigctl", address="localhost:4532", every_s=0.2),
     "rtl_tcp": SignalProfile("rtl_tcp", address="localhost:1234", unit="dBFS", every_s=0.1),

@@ -17,10 +17,9 @@ from birdcage.cli.source_option import heard_by, source_option
 def command(count: int | None, seconds: float | None, source: str | None) -> None:
     """Print the signal strength, a line each reading, as often as its source tells it. Moves nothing.
 
-    The source is the one of the mounted feed, or the one that --source names: the dish's own tuner, which is read
-    while the dish rests, your receiver, or a program. If another birdcage program has the port, that one reads the
-    tuner. Ctrl+C ends it; mean, scatter and the direction of the strongest signal follow on stderr. With --json each
-    line is one object.
+    The source is the one of the mounted feed, or the one that --source names. The dish's own tuner is read while the
+    dish rests. If another birdcage program has the port, that one reads the tuner. Ctrl+C ends it; mean, scatter and
+    the direction of the strongest signal follow on stderr. With --json each line is one object.
     """
     from birdcage.cli.rssi_run import print_readings
 
