@@ -122,6 +122,8 @@ PLACES = (
     _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
     _dialog("source of the signal", "SignalPage.do", "f3", "s", dialog="SourceScreen",
             holds="SourceScreen/OptionList"),
+    _dialog("sweep", "SignalPage.do", "f3", "w", dialog="SweepScreen",
+            holds="SweepScreen/Input SweepScreen/CancelButton"),
     _dialog("find the peak", "SignalPage.do", "f3", "f"),
     _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
     _dialog("forget all peaks", "CalibratePage._ask_begin", "f8", "C", "X"),

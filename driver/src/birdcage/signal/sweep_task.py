@@ -90,7 +90,7 @@ class SweepTask(ItemTask[tuple[float, float]]):
 
     @property
     def found(self) -> Mapping[str, TaskValue]:
-        """`line`: azimuth, elevation, mean, scatter and count of the readings in each direction; then what was fitted.
+        """`axis`; `line`: azimuth, elevation, mean, scatter and count of the readings in each direction; then the fit.
 
         The scatter of a single reading is 0.
         """
@@ -98,7 +98,7 @@ class SweepTask(ItemTask[tuple[float, float]]):
             (each.az_deg, each.el_deg, each.mean, stdev(each.values) if len(each.values) > 1 else 0.0, len(each.values))
             for each in self._heard
         )
-        return {"line": line, **({} if self._fit is None else self._fit.values())}
+        return {"axis": self.axis, "line": line, **({} if self._fit is None else self._fit.values())}
 
     @property
     def end_words(self) -> str:

@@ -30,6 +30,13 @@ SIGNAL = (
         "Signal", can_find, footer="find", where=WHERE,
     ),
     Command(
+        "signal-sweep", ("w",), "w", "Sweep …", "Measure the signal along azimuth or elevation, and draw it.",
+        "Signal", can_find, footer="sweep", where=WHERE,
+    ),
+    Command(
+        "signal-view", ("v",), "v", "Next view", "The last minute, or the sweep.", "Signal", footer="view", where=WHERE,
+    ),
+    Command(
         "signal-source", ("s",), "s", "Source …", "Hear by another source: the dish, your receiver, a program.",
         "Signal", footer="source", where=WHERE,
     ),

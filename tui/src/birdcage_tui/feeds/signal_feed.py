@@ -9,9 +9,11 @@ from birdcage.signal.monitor import SignalMonitor
 from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
 from birdcage.station.access import FaceStation
+from birdcage.station.events import Event, TaskChanged
 
 from birdcage_tui.shown.signal_book import SignalBook
 from birdcage_tui.shown.source_choice import SourceChoice
+from birdcage_tui.shown.sweep_book import SweepBook
 
 SIGNAL, STEADY = "signal", "signal steadily"
 """What a page names that shows it; the second where the signal alone counts."""
@@ -49,6 +51,8 @@ class SignalFeed:
         self._monitor: SignalMonitor | None = None
         self._feed = ""
         self.book = SignalBook()
+        self.sweeps = SweepBook()
+        self._unsubscribe: Callable[[], None] | None = None
 
     def begin(self) -> None:
         """Meet the sources; after the first frame."""
@@ -56,6 +60,7 @@ class SignalFeed:
             self._monitor = SignalMonitor([TunerSource(self._station)], TUNER, self._hear)
         else:
             self._monitor = self._sources.monitor(self._hear)
+        self._unsubscribe = self._station.subscribe(self._on_task, TaskChanged)
         self.book.chosen = self._monitor.chosen.facts
         self._feed = self._station.state.feed_name
 
@@ -98,6 +103,8 @@ class SignalFeed:
 
     def close(self) -> None:
         """Read nothing more."""
+        if self._unsubscribe is not None:
+            self._unsubscribe()
         if self._monitor is not None:
             self._monitor.close()
 
@@ -108,6 +115,10 @@ class SignalFeed:
             self._feed = feed
             monitor.choose(self._sources.chosen_now())
             self.book.choose(monitor.chosen.facts)
+
+    def _on_task(self, event: Event) -> None:
+        if isinstance(event, TaskChanged):
+            self._soon(lambda: self.sweeps.take(event.task))
 
     def _hear(self, reading: SignalReading) -> None:
         self._soon(lambda: self._take(reading))

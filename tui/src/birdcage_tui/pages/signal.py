@@ -11,13 +11,16 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
+from birdcage_tui.signal.ask_sweep import SweepScreen, begin_sweep
 from birdcage_tui.signal.choose import SourceScreen
 from birdcage_tui.signal.find import begin_find, find_question
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
+from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
 from birdcage_tui.signal.tone import WAITS_S, bell_period_s
+from birdcage_tui.widgets.fields_screen import Values
 from birdcage_tui.widgets.page import Page
 
 UPPER, UPPER_TALL = 9, 13
@@ -32,13 +35,15 @@ class SignalPage(Page):
     SignalPage { layout: vertical; }
     SignalPage SignalHead { height: 1; }
     SignalPage #signal-upper { height: 9; }
-    SignalPage LevelPane, SignalPage #signal-peak, SignalPage SignalPane, SignalPage ReceiverPane {
+    SignalPage LevelPane, SignalPage #signal-peak, SignalPage SignalPane, SignalPage SweepPane,
+    SignalPage ReceiverPane {
         border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim;
         width: 1fr; }
     SignalPage #signal-peak Pane { width: 1fr; }
     SignalPage ToPeakPane { height: 1fr; }
     SignalPage JogPane { height: 1; }
-    SignalPage SignalPane { height: 1fr; }
+    SignalPage SignalPane, SignalPage SweepPane { height: 1fr; }
+    SignalPage SweepPane { display: none; }
     SignalPage ReceiverPane { height: 4; }
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
@@ -58,6 +63,7 @@ class SignalPage(Page):
                 yield ToPeakPane(id="to-peak")
                 yield JogPane(id="signal-jog")
         yield SignalPane(id="signal-strip")
+        yield SweepPane(id="signal-sweep")
         yield ReceiverPane(id="receiver")
 
     _tone = False
@@ -97,6 +103,7 @@ class SignalPage(Page):
         """Give the digits more room where there is some."""
         tall = self.size.height >= TALL
         self.query_one("#signal-upper").styles.height = UPPER_TALL if tall else UPPER
+        self.query_one(ReceiverPane).display = tall or not self.query_one(SweepPane).display
         self.query_one(ReceiverPane).styles.height = 3 if self.size.width >= 110 else 4
 
     def _find(self, agreed: bool | None) -> None:
@@ -104,6 +111,19 @@ class SignalPage(Page):
             self.host.signals.book.forget_peak()
             begin_find(self.host.view(), self.host.ask)
             self.host.say("Finding the peak. Space stops the dish.")
+
+    def _sweep(self, values: Values | None) -> None:
+        if values is not None:
+            self._show_sweep(True)
+            begin_sweep(self.host.view(), values, self.host.ask)
+            self.host.say("Sweeping. Space stops the dish.")
+
+    def _show_sweep(self, shown: bool) -> None:
+        """Show the sweep in place of the last minute, or the other way round."""
+        self.query_one(SweepPane).display = shown
+        self.query_one(SignalPane).display = not shown
+        self.query_one(ReceiverPane).display = self.size.height >= TALL or not shown
+        self.host.paint()
 
     def _hear_by(self, source: str | None) -> None:
         if source is None:
@@ -125,6 +145,10 @@ class SignalPage(Page):
                     self.host.open_goto(f"{to[0]:.2f} {to[1]:.2f}")
             case "signal-find":
                 self.app.push_screen(find_question(self.host.view()), self._find)
+            case "signal-sweep":
+                self.app.push_screen(SweepScreen(), self._sweep)
+            case "signal-view":
+                self._show_sweep(not self.query_one(SweepPane).display)
             case "signal-source":
                 self.app.push_screen(SourceScreen(self.host.signals.choices), self._hear_by)
             case "signal-forget":

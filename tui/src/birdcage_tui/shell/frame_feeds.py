@@ -110,6 +110,7 @@ class FrameFeeds:
             followed=tuple(self.track.looks),
             heard=self.signals.book.heard,
             level=self.signals.book.level,
+            sweeps=self.signals.sweeps.shown,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from birdcage_tui.shown.calibration import CalibrateNow
     from birdcage_tui.shown.sky_picture import SkyPicture
+    from birdcage_tui.shown.sweep_book import SweepShown
 
 YOU = "you"
 """The lease holder's name of whoever sits at this terminal."""
@@ -112,6 +113,8 @@ class View:
     """What tells `signal`, and what its values mean."""
     level: LevelNow | None = None
     """How well it is heard, and where the peak was; None before the first reading."""
+    sweeps: Sequence[SweepShown] = ()
+    """Those of this session, the newest last."""
     signal_trouble: str = ""
     """Why the source of the mounted feed tells nothing, in sentences."""
     trips: Sequence[Trip] = ()

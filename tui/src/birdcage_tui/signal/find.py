@@ -32,7 +32,7 @@ def begin_find(view: View, ask: Callable[[BeginTask], object]) -> None:
         return
     width_deg = 0.0 if view.state.beam is None else view.state.beam.mean_deg
     values: dict[str, TaskValue] = {
-        "az_deg": position.az_deg, "el_deg": position.el_deg, "width_deg": width_deg, "patterns": _patterns(view),
+        "az_deg": position.az_deg, "el_deg": position.el_deg, "width_deg": width_deg, "patterns": patterns_here(view),
         "source": view.heard.id,
     }  # fmt: skip
     ask(BeginTask(PeakTask.kind, values, YOU))
@@ -42,7 +42,7 @@ def _width_deg(view: View) -> float:
     return ASSUMED_WIDTH_DEG if view.state.beam is None else view.state.beam.mean_deg
 
 
-def _patterns(view: View) -> tuple[tuple[float, ...], ...]:
+def patterns_here(view: View) -> tuple[tuple[float, ...], ...]:
     """Return which satellites of the arc may be heard beside one another here; none of them without a place."""
     from birdcage.signal.slots_heard import patterns_near, seen_from
     from birdcage.sky.observer import Observer
