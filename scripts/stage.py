@@ -128,6 +128,7 @@ async def demo(
             place=DEMO_PLACE,
             tour=tour,
             presets_file=paths.presets_file,
+            recordings_file=paths.signal_recordings,
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),
             track=make_track(session, here, lambda: here, paths, demo=True, signals=signals, threads=False),

@@ -103,3 +103,17 @@ def test_a_program_that_is_not_there_is_said_and_nothing_is_waited_for_without_e
     result = run("--config", file, "rssi", "--source", "meter", "--count", 1, port="sim:hal205", firmware="hal205")
     assert result.exit_code == 3
     assert "There is no program 'no-such-program'" in result.stderr
+
+
+def test_what_is_recorded_is_listed_and_printed_as_csv(run, as_json):
+    result = run("rssi", "--count", 5, "--record")
+    assert "Recording 1: 5 readings." in result.stderr
+    (told,) = as_json(run("recordings", "--json"))["recordings"]
+    assert (told["number"], told["readings"], told["source"], told["demo"]) == (1, 5, "tuner", True)
+    assert "5 readings" in run("recordings").stdout
+    printed = run("recordings", "--csv", 1).stdout.splitlines()
+    assert printed[0].startswith("# DEMO")
+    assert len([line for line in printed if not line.startswith("#")]) == 6
+    missing = run("recordings", "--csv", 7)
+    assert missing.exit_code == 2
+    assert "There is no recording 7" in missing.stderr

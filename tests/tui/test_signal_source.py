@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 
 import pytest
+from birdcage.signal.recordings import list_recordings
 from birdcage.station.requests import BeginTask
 from birdcage_tui.signal.choose import SourceScreen
 from test_demo import stage_of_the_pictures
@@ -79,3 +80,26 @@ def test_a_dish_without_a_tuner_peaks_by_the_receiver():
     assert "Find the peak" in question
     begun = [request for request in asked if isinstance(request, BeginTask)]
     assert [request.values["source"] for request in begun] == ["rigctl"]
+
+
+def test_every_reading_is_recorded_also_beside_another_page():
+    async def look(on):
+        await on.press("r")
+        await on.wait(4)
+        shown = on.text()
+        await on.press("f7")
+        await on.wait(6)
+        await on.press("f3")
+        await on.wait(1)
+        await on.press("r")
+        await on.wait(1)
+        file = on.app.settings.recordings_file
+        return shown, on.text(), list_recordings(file)
+
+    shown, ended, (told,) = on_f3(look)
+    assert "● recording, " in shown
+    assert f"Recording 1: {told.readings} readings." in ended
+    assert "● recording" not in ended
+    assert told.readings > 20
+    assert (told.ended - told.begun).total_seconds() > 8.0
+    assert told.demo

@@ -355,6 +355,7 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool, unheeded: str
         history_file=paths.history,
         logs_folder=paths.logs,
         presets_file=paths.presets_file,
+        recordings_file=paths.signal_recordings,
         glyphs=settings.app.glyphs if chosen else fitting(os.environ),
         cell_aspect=settings.app.cell_aspect or ASPECT,
         cell_aspect_set=settings.app.cell_aspect is not None,

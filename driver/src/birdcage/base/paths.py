@@ -49,6 +49,11 @@ class Paths:
         return self.state / "journal.sqlite"
 
     @property
+    def signal_recordings(self) -> Path:
+        """The database of recorded signals."""
+        return self.state / "signal.sqlite"
+
+    @property
     def history(self) -> Path:
         """Lines typed into the raw console."""
         return self.state / "history.txt"

@@ -53,6 +53,7 @@ COMMANDS = {
     "peak": "Find the middle of a satellite by its signal, and point there.",
     "sweep": "Measure the signal along an axis, and fit a beam to it.",
     "acquire": "Find a satellite near where it should be, say which it is, and set north by it.",
+    "recordings": "List recordings of the signal, and print one as CSV.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",

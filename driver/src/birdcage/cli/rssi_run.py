@@ -13,6 +13,7 @@ from birdcage.cli.attached_command import reach_dish
 from birdcage.cli.say import iso, say, tell, tell_json
 from birdcage.rotator.feature import POSITION
 from birdcage.signal.heard_from import heard_from
+from birdcage.signal.recording import SignalRecorder, row_of
 from birdcage.signal.source_set import SourceSet
 from birdcage.station.requests import Watch
 
@@ -67,7 +68,7 @@ class Summary:
 
 
 def print_readings(
-    dish_wanted: Wanted, source: str, *, count: int | None, seconds: float | None, as_json: bool
+    dish_wanted: Wanted, source: str, *, count: int | None, seconds: float | None, record: bool, as_json: bool
 ) -> None:
     """Print readings until there are so many, or so long; without either until a signal. `source` is its id.
 
@@ -82,20 +83,29 @@ def print_readings(
         sources.attach(dish.station)
         sources.choose(source)
         monitor = sources.monitor(told.put)
-        summary = Summary(monitor.chosen.facts)
+        facts = monitor.chosen.facts
+        summary, recorder = Summary(facts), None
+        if record:
+            about = {"feed": settings.feed.active, "where": facts.where}
+            recorder = SignalRecorder(
+                dish_wanted.paths.signal_recordings, facts, about, demo=facts.demo or dish.state.demo
+            )
         try:
             monitor.watch(on=True, steady=True)
-            _print(dish, monitor, told, summary, count=count, seconds=seconds, as_json=as_json)
+            _print(dish, monitor, told, summary, recorder, count=count, seconds=seconds, as_json=as_json)
         finally:
             monitor.close()
             sources.close()
             if words := summary.words():
                 say(words)
+            if recorder is not None:
+                recorder.close()
+                say(recorder.problem or f"Recording {recorder.number}: {recorder.kept} readings.")
 
 
 def _print(
-    dish: StationCommand, monitor: SignalMonitor, told: queue.SimpleQueue[SignalReading], summary: Summary, *,
-    count: int | None, seconds: float | None, as_json: bool,
+    dish: StationCommand, monitor: SignalMonitor, told: queue.SimpleQueue[SignalReading], summary: Summary,
+    recorder: SignalRecorder | None, *, count: int | None, seconds: float | None, as_json: bool,
 ) -> None:  # fmt: skip
     begun, source = dish.now, monitor.chosen.facts.id
     while (count is None or summary.count < count) and not (summary.count and seconds and dish.now >= begun + seconds):
@@ -105,6 +115,8 @@ def _print(
             if reading.source == source:
                 begun = begun if summary.count else dish.now  # the seconds are of readings, not of the way to them
                 _print_one(dish, reading, summary, as_json=as_json)
+                if recorder is not None:
+                    recorder.add(row_of(reading, summary.facts, dish.state, dish.now))
         if not summary.count:
             _see_that_it_may_tell(dish, monitor, begun)
 

@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from birdcage.base.config.signals import OWN_TUNER, RECEIVER
-
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
 
@@ -25,6 +23,8 @@ def source_option(command: Command) -> Command:
 
 def heard_by(source: str | None, settings: Settings) -> str:
     """Return the id of the source that counts. click.BadParameter for one that there is not."""
+    from birdcage.base.config.signals import OWN_TUNER, RECEIVER
+
     known = (OWN_TUNER, RECEIVER, *settings.signals)
     if source is not None and source not in known:
         raise click.BadParameter(f"There is no source {source!r}. There are {', '.join(known)}.", param_hint="--source")

@@ -49,7 +49,11 @@ SIGNAL = (
         footer="tone", where=WHERE,
     ),
     Command(
+        "signal-record", ("r",), "r", "Record on, off", "Keep every reading with its time and direction.", "Signal",
+        footer="record", where=WHERE,
+    ),
+    Command(
         "signal-forget", ("x",), "x", "Forget the peak", "Begin anew with peak and floor, in another part of the sky.",
-        "Signal", footer="forget", where=WHERE,
+        "Signal", where=WHERE,
     ),
 )  # fmt: skip

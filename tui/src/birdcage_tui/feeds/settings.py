@@ -64,6 +64,8 @@ class AppOptions:
     """Where the console saves what it shows; None: nowhere."""
     presets_file: Path | None = None
     """Where directions with names are kept; None: nowhere."""
+    recordings_file: Path | None = None
+    """Where the signal is recorded; None: nowhere."""
     setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
     sky: MakeSky | None = field(default=None, compare=False)

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import Protocol
 
 from birdcage.signal.monitor import SignalMonitor
+from birdcage.signal.recording import SignalRecorder, row_of
 from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
 from birdcage.station.access import FaceStation
@@ -44,14 +46,18 @@ class SignalFeed:
 
     def __init__(
         self, sources: SignalSources | None, station: FaceStation, soon: Callable[[Callable[[], None]], object],
-        changed: Callable[[], object],
+        changed: Callable[[], object], recordings_file: Path | None = None,
     ) -> None:  # fmt: skip
         """Without `sources` there is the dish's own tuner."""
         self._sources, self._station, self._soon, self._changed = sources, station, soon, changed
         self._monitor: SignalMonitor | None = None
+        self._recordings_file = recordings_file
         self._feed = ""
         self.book = SignalBook()
         self.sweeps = SweepBook()
+        self.recorder: SignalRecorder | None = None
+        """Keeps what is heard, while a person wants that."""
+        self._records = ""
         self._unsubscribe: Callable[[], None] | None = None
 
     def begin(self) -> None:
@@ -86,23 +92,26 @@ class SignalFeed:
     def choose(self, source: str) -> None:
         """Hear by another one, with nothing of what was heard by the one before."""
         if self._sources is not None and self._monitor is not None and source != self._monitor.chosen.facts.id:
+            self.end_record()
             self._sources.choose(source)
             self._monitor.choose(source)
             self.book.choose(self._monitor.chosen.facts)
 
     def watch(self, shown: frozenset[str], *, typing: bool) -> frozenset[str]:
-        """Have it read if it is among what a page shows; return the rest of that.
+        """Have it read if it is among what a page shows, or recorded; return the rest of what is shown.
 
         A dish that a person is `typing` to is not asked: it would change the menu.
         """
         if self._monitor is not None:
             self._take_feed(self._monitor)
             asked = not (typing and self._monitor.chosen.facts.of_dish)
-            self._monitor.watch(on=asked and not shown.isdisjoint({SIGNAL, STEADY}), steady=STEADY in shown)
+            wanted = self.recorder is not None or not shown.isdisjoint({SIGNAL, STEADY})
+            self._monitor.watch(on=asked and wanted, steady=STEADY in shown)
         return shown - {SIGNAL, STEADY}
 
     def close(self) -> None:
-        """Read nothing more."""
+        """Read nothing more, and end a recording."""
+        self.end_record()
         if self._unsubscribe is not None:
             self._unsubscribe()
         if self._monitor is not None:
@@ -123,9 +132,38 @@ class SignalFeed:
     def _hear(self, reading: SignalReading) -> None:
         self._soon(lambda: self._take(reading))
 
+    def record(self) -> bool:
+        """Keep what is heard until `end_record`, or until another source is chosen; False where there is no file."""
+        path = self._recordings_file
+        if path is None or self._monitor is None:
+            return False
+        if self.recorder is None:
+            facts = self._monitor.chosen.facts
+            about = {"feed": self._station.state.feed_name, "where": facts.where}
+            self.recorder = SignalRecorder(path, facts, about, demo=facts.demo or self._station.state.demo)
+            self._records = facts.id
+        return True
+
+    @property
+    def recorded(self) -> str:
+        """How far the recording is, or why it has stopped."""
+        recorder = self.recorder
+        return "" if recorder is None else recorder.problem or f"● recording, {recorder.kept} readings"
+
+    def end_record(self) -> str:
+        """End it, and return what became of it; empty where nothing was recorded."""
+        recorder, self.recorder = self.recorder, None
+        if recorder is None:
+            return ""
+        recorder.close()
+        return recorder.problem or f"Recording {recorder.number}: {recorder.kept} readings."
+
     def _take(self, reading: SignalReading) -> None:
         if self._monitor is not None:
             facts = self._monitor.facts_of(reading.source)
+            if self.recorder is not None and reading.source == self._records:
+                now = self._station.clock.monotonic()
+                self.recorder.add(row_of(reading, facts, self._station.state, now))
             self.book.hear(reading, facts, self._station.state)
             if not facts.of_dish:  # else the station's own event brings the next frame
                 self._changed()

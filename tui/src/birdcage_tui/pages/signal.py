@@ -125,6 +125,16 @@ class SignalPage(Page):
         self.query_one(ReceiverPane).display = self.size.height >= TALL or not shown
         self.host.paint()
 
+    def _switch_record(self) -> None:
+        signals = self.host.signals
+        if signals.recorder is not None:
+            self.host.say(signals.end_record())
+            return
+        if signals.record():
+            self.host.say("Recording every reading. r ends it; `birdcage recordings` lists what was kept.")
+        else:
+            self.host.say("There is no folder for recordings.")
+
     def _hear_by(self, source: str | None) -> None:
         if source is None:
             return
@@ -151,6 +161,8 @@ class SignalPage(Page):
                 self._show_sweep(not self.query_one(SweepPane).display)
             case "signal-source":
                 self.app.push_screen(SourceScreen(self.host.signals.choices), self._hear_by)
+            case "signal-record":
+                self._switch_record()
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")

@@ -45,7 +45,7 @@ class FrameFeeds:
         self.calibrate = CalibrateFeed(settings.calibrate, soon, changed)
         self.clock_watch = ClockWatch(settings.clock_check, lambda told: soon(partial(self.hear_clock, told)))
         self.ready = ReadyWatch(settings.ready, soon, changed)
-        self.signals = SignalFeed(settings.signal, session.station, soon, changed)
+        self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file)
         self.link_book = LinkBook()
         self.notes = Notes()
 
@@ -110,6 +110,7 @@ class FrameFeeds:
             followed=tuple(self.track.looks),
             heard=self.signals.book.heard,
             level=self.signals.book.level,
+            recorded=self.signals.recorded,
             sweeps=self.signals.sweeps.shown,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,

@@ -113,6 +113,8 @@ class View:
     """What tells `signal`, and what its values mean."""
     level: LevelNow | None = None
     """How well it is heard, and where the peak was; None before the first reading."""
+    recorded: str = ""
+    """How far a recording of the signal is, or why it has stopped; empty while nothing is recorded."""
     sweeps: Sequence[SweepShown] = ()
     """Those of this session, the newest last."""
     signal_trouble: str = ""

@@ -25,3 +25,6 @@ class SignalHead(Pane):
         said = f" Source: {by} ({view.heard.unit}), feed: {feed_label(view.state.feed_name)}{read_for}"
         cells.put(0, 0, cut(said, cells.width - len(rate) - 3), "bar-dim")
         cells.right(cells.width - 1, 0, rate, "bar-dim")
+        if view.recorded:
+            words = cut(view.recorded, cells.width - 2)
+            cells.put(0, 0, f" {words}".ljust(cells.width - len(rate) - 2), "bar-warn")

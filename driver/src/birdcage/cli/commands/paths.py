@@ -25,6 +25,7 @@ def command() -> None:
         "backups": paths.backups,
         "catalogue": paths.catalogue,
         "passes": paths.passes,
+        "recordings": paths.signal_recordings,
         "places": paths.places_file,
         "alignments": paths.alignments_file,
         "downlinks": paths.downlinks_file,

@@ -12,9 +12,10 @@ from birdcage.cli.source_option import heard_by, source_option
 @click.command("rssi", epilog=exits.EPILOG)
 @click.option("--count", metavar="N", type=click.IntRange(min=1), help="End after so many readings.")
 @click.option("--seconds", metavar="S", type=click.FloatRange(min=0.1), help="End after so long.")
+@click.option("--record", is_flag=True, help="Keep all readings too: `birdcage recordings` lists them.")
 @source_option
 @global_options()
-def command(count: int | None, seconds: float | None, source: str | None) -> None:
+def command(count: int | None, seconds: float | None, source: str | None, record: bool) -> None:
     """Print the signal strength, a line each reading, as often as its source tells it. Moves nothing.
 
     The source is the one of the mounted feed, or the one that --source names. The dish's own tuner is read while the
@@ -25,4 +26,4 @@ def command(count: int | None, seconds: float | None, source: str | None) -> Non
 
     wants = wanted()
     by = heard_by(source, wants.settings)
-    print_readings(wants, by, count=count, seconds=seconds, as_json=flags().json)
+    print_readings(wants, by, count=count, seconds=seconds, record=record, as_json=flags().json)
