@@ -87,12 +87,14 @@ def test_it_is_tuned_from_here_beside_the_channel_and_by_hand():
     with served(RtlTcp(CHANNEL.freq_hz)) as receiver:
         with opened(RtlTcpMeter(receiver.address, CHANNEL, CLOCK)) as meter:
             told = level(meter)
-            spectrum = meter.spectrum
         commands = dict(receiver.commands)
     assert commands == {2: 1_024_000, 1: round(CHANNEL.centre_hz), 8: 0, 3: 1, 4: 280}
     assert CHANNEL.freq_hz - CHANNEL.centre_hz > CHANNEL.channel_hz / 2.0
-    peak_hz = CHANNEL.centre_hz + (int(spectrum.argmax()) - BINS // 2) * 1000.0
-    assert peak_hz == pytest.approx(CHANNEL.freq_hz, abs=1500.0)
+    spectrum = told.spectrum
+    step_hz = (spectrum.high_hz - spectrum.low_hz) / len(spectrum.levels)
+    peak_hz = spectrum.low_hz + (spectrum.levels.index(max(spectrum.levels)) + 0.5) * step_hz
+    assert spectrum.channel_hz == (CHANNEL.freq_hz - 100e3, CHANNEL.freq_hz + 100e3)
+    assert peak_hz == pytest.approx(CHANNEL.freq_hz, abs=1.01 * step_hz)
     assert told.dwell_s == pytest.approx(0.1, abs=0.01)
 
 

@@ -7,6 +7,7 @@ from typing import Protocol
 
 from birdcage.base.errors import BirdcageError
 from birdcage.base.reason import Reason
+from birdcage.signal.source import Spectrum
 
 
 class MeterError(BirdcageError):
@@ -24,6 +25,7 @@ class MeterReading:
     """Monotonic seconds: the middle of what was measured, as well as that can be told."""
     dwell_s: float
     """How long it measured; 0 if that is not known."""
+    spectrum: Spectrum | None = None
 
 
 class Meter(Protocol):

@@ -16,6 +16,7 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import ConfigError
 from birdcage.radio.opening import parse_address
 from birdcage.signal.meter import MeterError, MeterReading
+from birdcage.signal.source import Spectrum
 
 if TYPE_CHECKING:
     import numpy as np
@@ -25,7 +26,7 @@ FREQUENCY, SAMPLE_RATE, GAIN_MODE, GAIN, DIGITAL_AGC = 0x01, 0x02, 0x03, 0x04, 0
 AUTOMATIC, BY_HAND = 0, 1
 HEADER, MAGIC = 12, b"RTL0"
 CONNECT_S, HEADER_S = 2.0, 2.0
-BINS = 1024
+BINS, SHOWN = 1024, 256
 DWELL_S = 0.1
 STALE_S = 0.3
 """After tuning, samples of before are still on their way."""
@@ -62,8 +63,6 @@ class RtlTcpMeter:
         self._socket: socket.socket | None = None
         self._samples = bytearray()
         self._stale_until = 0.0
-        self.spectrum: npt.NDArray[np.float64] | None = None
-        """Of the last reading: power of `BINS` equal steps from the lowest frequency up, in dB of full scale."""
 
     @property
     def tuned(self) -> Tuned:
@@ -110,11 +109,15 @@ class RtlTcpMeter:
         behind = len(self._samples) - want
         del self._samples[:want]
         spectrum = spectrum_of(taken)
-        self.spectrum = 10.0 * _log10(spectrum)
         value = 10.0 * math.log10(max(channel_power(spectrum, self._tuned), 1e-20))
         seconds = 1.0 / (2.0 * self._tuned.sample_rate_hz)
         dwell_s = want * seconds
-        return MeterReading(value, self._clock.monotonic() - behind * seconds - dwell_s / 2.0, dwell_s)
+        return MeterReading(
+            value,
+            self._clock.monotonic() - behind * seconds - dwell_s / 2.0,
+            dwell_s,
+            shown_spectrum(spectrum, self._tuned),
+        )
 
     def close(self) -> None:
         """Hang up."""
@@ -183,8 +186,14 @@ def channel_power(spectrum: npt.NDArray[np.float64], tuned: Tuned) -> float:
     return float(spectrum[inside].sum())
 
 
-def _log10(power: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+def shown_spectrum(power: npt.NDArray[np.float64], tuned: Tuned) -> Spectrum:
+    """Return the spectrum in `SHOWN` steps, in dB of full scale, the receiver's own offset in its middle left in."""
     import numpy as np
 
-    logarithm: npt.NDArray[np.float64] = np.log10(np.maximum(power, 1e-20))
-    return logarithm
+    steps = power.reshape(SHOWN, BINS // SHOWN).sum(axis=1)
+    levels = 10.0 * np.log10(np.maximum(steps, 1e-20))
+    half, channel = tuned.sample_rate_hz / 2.0, tuned.channel_hz / 2.0
+    return Spectrum(
+        tuple(map(float, levels)), tuned.centre_hz - half, tuned.centre_hz + half,
+        (tuned.freq_hz - channel, tuned.freq_hz + channel),
+    )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from enum import Enum
@@ -54,6 +54,17 @@ class SignalFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class Spectrum:
+    """Levels at equal steps of frequency, lowest first, in the unit of the source."""
+
+    levels: Sequence[float]
+    low_hz: float
+    high_hz: float
+    channel_hz: tuple[float, float]
+    """From where to where the source measures."""
+
+
+@dataclass(frozen=True, slots=True)
 class SignalReading:
     """One value, stamped at the middle of its dwell, as well as that can be told."""
 
@@ -66,6 +77,8 @@ class SignalReading:
     """The `id` of its facts."""
     dwell_s: float = 0.0
     """How long it measured, half of that before `at`; 0 if that is not known."""
+    spectrum: Spectrum | None = None
+    """What it was measured in, of a source that tells that."""
 
 
 Hear = Callable[[SignalReading], object]

@@ -34,7 +34,8 @@ SIGNAL = (
         "Signal", can_find, footer="sweep", where=WHERE,
     ),
     Command(
-        "signal-view", ("v",), "v", "Next view", "The last minute, or the sweep.", "Signal", footer="view", where=WHERE,
+        "signal-view", ("v",), "v", "Next view", "The last minute, the sweep, or the waterfall of an RTL-SDR.",
+        "Signal", footer="view", where=WHERE,
     ),
     Command(
         "signal-source", ("s",), "s", "Source …", "Hear by another source: the dish, your receiver, a program.",

@@ -20,12 +20,16 @@ from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
 from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
 from birdcage_tui.signal.tone import WAITS_S, bell_period_s
+from birdcage_tui.signal.waterfall import WaterfallPane
 from birdcage_tui.widgets.fields_screen import Values
 from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.pane import Pane
 
 UPPER, UPPER_TALL = 9, 13
 """Rows of level and way to the peak, and where there is room for larger digits."""
 TALL = 30
+VIEWS: tuple[type[Pane], ...] = (SignalPane, SweepPane, WaterfallPane)
+"""What stands below, one at a time."""
 
 
 class SignalPage(Page):
@@ -36,14 +40,14 @@ class SignalPage(Page):
     SignalPage SignalHead { height: 1; }
     SignalPage #signal-upper { height: 9; }
     SignalPage LevelPane, SignalPage #signal-peak, SignalPage SignalPane, SignalPage SweepPane,
-    SignalPage ReceiverPane {
+    SignalPage WaterfallPane, SignalPage ReceiverPane {
         border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim;
         width: 1fr; }
     SignalPage #signal-peak Pane { width: 1fr; }
     SignalPage ToPeakPane { height: 1fr; }
     SignalPage JogPane { height: 1; }
-    SignalPage SignalPane, SignalPage SweepPane { height: 1fr; }
-    SignalPage SweepPane { display: none; }
+    SignalPage SignalPane, SignalPage SweepPane, SignalPage WaterfallPane { height: 1fr; }
+    SignalPage SweepPane, SignalPage WaterfallPane { display: none; }
     SignalPage ReceiverPane { height: 4; }
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
@@ -64,8 +68,10 @@ class SignalPage(Page):
                 yield JogPane(id="signal-jog")
         yield SignalPane(id="signal-strip")
         yield SweepPane(id="signal-sweep")
+        yield WaterfallPane(id="signal-waterfall")
         yield ReceiverPane(id="receiver")
 
+    _view: type[Pane] = SignalPane
     _tone = False
     _rings: Timer | None = None
     """Brings the next bell; None while there is no tone."""
@@ -103,7 +109,7 @@ class SignalPage(Page):
         """Give the digits more room where there is some."""
         tall = self.size.height >= TALL
         self.query_one("#signal-upper").styles.height = UPPER_TALL if tall else UPPER
-        self.query_one(ReceiverPane).display = tall or not self.query_one(SweepPane).display
+        self._give_room()
         self.query_one(ReceiverPane).styles.height = 3 if self.size.width >= 110 else 4
 
     def _find(self, agreed: bool | None) -> None:
@@ -114,16 +120,27 @@ class SignalPage(Page):
 
     def _sweep(self, values: Values | None) -> None:
         if values is not None:
-            self._show_sweep(True)
+            self._show_view(SweepPane)
             begin_sweep(self.host.view(), values, self.host.ask)
             self.host.say("Sweeping. Space stops the dish.")
 
-    def _show_sweep(self, shown: bool) -> None:
-        """Show the sweep in place of the last minute, or the other way round."""
-        self.query_one(SweepPane).display = shown
-        self.query_one(SignalPane).display = not shown
-        self.query_one(ReceiverPane).display = self.size.height >= TALL or not shown
+    @property
+    def _next_view(self) -> type[Pane]:
+        """What stands below after this one: a waterfall only where the source tells spectra."""
+        following = VIEWS[(VIEWS.index(self._view) + 1) % len(VIEWS)]
+        return SignalPane if following is WaterfallPane and not self.host.view().spectra else following
+
+    def _show_view(self, kind: type[Pane]) -> None:
+        """Show it in place of the others."""
+        self._view = kind
+        for each in VIEWS:
+            self.query_one(each).display = each is kind
+        self._give_room()
         self.host.paint()
+
+    def _give_room(self) -> None:
+        """Give up the receiver's own words for a picture on a small screen."""
+        self.query_one(ReceiverPane).display = self.size.height >= TALL or self._view is SignalPane
 
     def _switch_record(self) -> None:
         signals = self.host.signals
@@ -158,7 +175,7 @@ class SignalPage(Page):
             case "signal-sweep":
                 self.app.push_screen(SweepScreen(), self._sweep)
             case "signal-view":
-                self._show_sweep(not self.query_one(SweepPane).display)
+                self._show_view(self._next_view)
             case "signal-source":
                 self.app.push_screen(SourceScreen(self.host.signals.choices), self._hear_by)
             case "signal-record":

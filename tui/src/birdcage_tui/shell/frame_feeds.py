@@ -111,6 +111,7 @@ class FrameFeeds:
             heard=self.signals.book.heard,
             level=self.signals.book.level,
             recorded=self.signals.recorded,
+            spectra=tuple(self.signals.book.spectra),
             sweeps=self.signals.sweeps.shown,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,

@@ -7,13 +7,15 @@ from collections.abc import Sequence
 
 from birdcage.signal.heard_from import heard_from
 from birdcage.signal.peak_hold import LevelNow, PeakHold
-from birdcage.signal.source import SignalFacts, SignalReading
+from birdcage.signal.source import SignalFacts, SignalReading, Spectrum
 from birdcage.signal.tuner import TUNER, TUNER_FACTS
 from birdcage.station.state import StationState
 
 from birdcage_tui.shown.view import SignalSample
 
 KEPT = 2000
+MOST_SPECTRA = 120
+"""More than any screen has rows."""
 
 
 class SignalBook:
@@ -25,12 +27,15 @@ class SignalBook:
         self._facts: dict[str, SignalFacts] = {}
         self._samples: dict[str, deque[SignalSample]] = {}
         self._holds: dict[str, PeakHold] = {}
+        self.spectra: deque[Spectrum] = deque(maxlen=MOST_SPECTRA)
+        """Of the chosen source, the newest last."""
 
     def choose(self, facts: SignalFacts) -> None:
         """Show the source of another feed, and nothing of what was heard through the one before."""
         self.chosen = facts
         self._samples.clear()
         self._holds.clear()
+        self.spectra.clear()
 
     def of(self, facts: SignalFacts) -> deque[SignalSample]:
         """Return what a source has told, the newest last."""
@@ -40,6 +45,8 @@ class SignalBook:
     def hear(self, reading: SignalReading, facts: SignalFacts, state: StationState) -> None:
         """Take what a source has told, and where the dish pointed then, if that is known."""
         where = heard_from(reading.at, facts, state)
+        if reading.spectrum is not None and facts.id == self.chosen.id:
+            self.spectra.append(reading.spectrum)
         self.of(facts).append(SignalSample(reading.at, reading.value, *where))
         self._holds.setdefault(facts.id, PeakHold(facts.scale)).hear(
             reading.at, reading.value, *where, beam_deg=None if state.beam is None else state.beam.mean_deg

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
-from birdcage.signal.source import MONITOR, SignalFacts
+from birdcage.signal.source import MONITOR, SignalFacts, Spectrum
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.raw import CONSOLE, OTHER_CONSOLE
@@ -115,6 +115,8 @@ class View:
     """How well it is heard, and where the peak was; None before the first reading."""
     recorded: str = ""
     """How far a recording of the signal is, or why it has stopped; empty while nothing is recorded."""
+    spectra: Sequence[Spectrum] = ()
+    """What was heard, by a source that tells spectra; the newest last."""
     sweeps: Sequence[SweepShown] = ()
     """Those of this session, the newest last."""
     signal_trouble: str = ""

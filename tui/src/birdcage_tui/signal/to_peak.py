@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import cut, wrap
+from birdcage_tui.drawing.cell_text import cut
 from birdcage_tui.drawing.digits import put_big
 from birdcage_tui.shown.event_words import FINDING, finding_now
 from birdcage_tui.shown.level_words import NEAR_DEG, arrow, turn_to, value_text
@@ -12,7 +12,7 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.signal.level import is_large
 from birdcage_tui.widgets.pane import Pane
 
-NONE_YET = "The strongest signal is kept here, with its direction."
+NONE_YET = "The strongest signal is kept here."
 
 
 class ToPeakPane(Pane):
@@ -44,8 +44,7 @@ class ToPeakPane(Pane):
             found = f"Fit of {fit.points}: {fit.az_deg:.2f}°/{fit.el_deg:.2f}° ±{fit.sigma_deg:.2f}°"
             cells.put(1, y + 1, cut(found, cells.width - 2), "text")
         elif peak is None:
-            for row, line in enumerate(wrap(NONE_YET, max(cells.width - 2, 10)), y + 1):
-                cells.put(1, row, line, "dim")
+            cells.put(1, y + 1, cut(NONE_YET, cells.width - 2), "dim")
         else:
             where = ""
             if peak.az_deg is not None and peak.el_deg is not None:
