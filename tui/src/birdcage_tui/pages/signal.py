@@ -11,7 +11,7 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
-from birdcage_tui.signal.ask_sweep import SweepScreen, begin_sweep
+from birdcage_tui.signal.ask_sweep import begin_sweep, sweep_question
 from birdcage_tui.signal.choose import SourceScreen
 from birdcage_tui.signal.find import begin_find, find_question
 from birdcage_tui.signal.head import SignalHead
@@ -173,7 +173,7 @@ class SignalPage(Page):
             case "signal-find":
                 self.app.push_screen(find_question(self.host.view()), self._find)
             case "signal-sweep":
-                self.app.push_screen(SweepScreen(), self._sweep)
+                self.app.push_screen(sweep_question(), self._sweep)
             case "signal-view":
                 self._show_view(self._next_view)
             case "signal-source":

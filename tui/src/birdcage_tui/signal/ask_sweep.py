@@ -16,18 +16,14 @@ SPAN_DEG, STEP_DEG = 20.0, 1.0
 WORDS = "The dish goes along the axis, through where it points now, and listens at each step. Keep its swing clear."
 
 
-class SweepScreen(FieldsScreen):
-    """Axis, span and step."""
-
-    KEYS = "Enter sweeps"
-
-    def __init__(self) -> None:
-        rows = (
-            FieldRow("axis", "az", "az or el"),
-            FieldRow("span, degrees", f"{SPAN_DEG:g}", "from one end to the other"),
-            FieldRow("step, degrees", f"{STEP_DEG:g}", "from one direction to the next"),
-        )
-        super().__init__("Sweep", WORDS, rows, wrong_sweep)
+def sweep_question() -> FieldsScreen:
+    """Return what is asked before: axis, span and step."""
+    rows = (
+        FieldRow("axis", "az", "az or el"),
+        FieldRow("span, degrees", f"{SPAN_DEG:g}", "from one end to the other"),
+        FieldRow("step, degrees", f"{STEP_DEG:g}", "from one direction to the next"),
+    )
+    return FieldsScreen("Sweep", WORDS, rows, wrong_sweep, enter="Enter sweeps")
 
 
 def wrong_sweep(values: Values) -> str:

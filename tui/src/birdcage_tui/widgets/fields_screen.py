@@ -60,9 +60,10 @@ class FieldsScreen(Dialog[Values | None]):
 
     def __init__(
         self, title: str, words: str, fields: Sequence[FieldRow], check: Callable[[Values], str], wrong: str = "",
-        read: Callable[[Values], str] | None = None,
+        read: Callable[[Values], str] | None = None, enter: str = KEYS,
     ) -> None:  # fmt: skip
         super().__init__()
+        self.KEYS = enter
         self._read = read
         self._wrong = wrong
         self._title, self._words, self._fields, self._check = title, words, fields, check
