@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import re
 
 import pytest
 
 from tests.cli.test_peak import AZ_DEG, EL_DEG
+from tests.signal.stand_ins import program
 
 
 @pytest.fixture(autouse=True)
@@ -43,3 +45,17 @@ def test_a_dish_without_a_tuner_is_not_moved(run):
     result = run("sweep", "az", "60", "60", port="sim:hal205", firmware="hal205")
     assert result.exit_code == 1
     assert "has no tuner to read. With --source your receiver is heard. Nothing was sent." in result.stderr
+
+
+def test_a_program_that_it_hears_by_ends_with_the_command(run, tmp_path):
+    note = tmp_path / "pid"
+    text = f"import os, time, itertools; open({str(note)!r}, 'w').write(str(os.getpid())); "
+    text += "[(print(-41.5), time.sleep(0.05)) for _ in itertools.count()]"
+    file = tmp_path / "own.toml"
+    file.write_text(f'[signal.meter]\ncommand = """{program(text)}"""\nevery_s = 0.1\n')
+    words = ("sweep", "el", "--span", 2, "--step", 1, "--source", "meter")
+    result = run("--config", file, *words, port="sim:g2")
+    assert result.exit_code == 1, result.stderr
+    assert "No source stands out of the floor on this line." in result.stderr
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(note.read_text()), 0)

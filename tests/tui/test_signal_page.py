@@ -111,17 +111,17 @@ def test_the_peak_is_found_only_after_a_yes_and_what_was_found_is_said():
             await on.press("f")
             await on.wait(4)
             asked = on.text()
-            await on.press("n")
+            await on.press("q")
             await on.wait(4)
             still, declined = on.app.station.state.position, on.app.station.state.tasks
-            await on.press("f", "y")
+            await on.press("f", "enter")
             await on.wait(12)
             running = on.text()
             await on.wait(50)
             return (here, still, declined), asked, running, on.text(), on.app.station.state
 
     (here, still, declined), asked, running, ended, state = asyncio.run(play())
-    assert "The dish goes through 25 directions, up to 3.9° to each side" in asked
+    assert "25 directions, up to 3.9° to each side, then to the middle." in asked
     assert declined == ()
     assert (here.az_deg, here.el_deg) == (still.az_deg, still.el_deg)
     assert re.search(r"Finding the peak: \d+ of 25 heard", running)

@@ -7,7 +7,7 @@ import asyncio
 import pytest
 from birdcage.signal.recordings import list_recordings
 from birdcage.station.requests import BeginTask
-from birdcage_tui.signal.choose import SourceScreen
+from birdcage_tui.widgets.choice_screen import ChoiceScreen
 from test_demo import stage_of_the_pictures
 
 OFFERED = ("tuner", "receiver", "SatDump", "gqrx", "SDR++", "rtl_tcp", "rtl_power")
@@ -30,7 +30,7 @@ def test_each_source_is_offered_with_its_unit_rate_and_place(size):
         await on.press("s")
         await on.wait(1)
         frame = on.app.screen.query_one("Vertical")
-        assert isinstance(on.app.screen, SourceScreen)
+        assert isinstance(on.app.screen, ChoiceScreen)
         assert on.app.screen.region.contains_region(frame.region)
         return on.text()
 
@@ -71,7 +71,7 @@ def test_a_dish_without_a_tuner_peaks_by_the_receiver():
         question = on.text()
         ask = on.app.ask
         on.app.ask = lambda request, *more, **words: (asked.append(request), ask(request, *more, **words))[1]
-        await on.press("y")
+        await on.press("enter")
         await on.wait(1)
         return refused, question
 

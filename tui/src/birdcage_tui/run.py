@@ -136,6 +136,8 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
             stack.callback(SleepInhibitor(session.station).close)
         if settings.network is not None:
             stack.callback(settings.network.close)
+        if settings.signal is not None:
+            stack.callback(settings.signal.close_meters)
         app.ending.take_signal = signals.take
         signals.tell(app.ending.by_signal, lambda: _end_stuck(app))
         try:
@@ -232,7 +234,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
 
-    sources = SourceSet(settings, clock, load_again)
+    sources = SourceSet(settings, clock, load_again, memory=paths.found_directions)
     attached = None if options.demo else _attach(paths, settings.dish.port)
     session: FaceSession
     if attached is not None:

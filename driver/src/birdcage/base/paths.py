@@ -54,6 +54,11 @@ class Paths:
         return self.state / "signal.sqlite"
 
     @property
+    def found_directions(self) -> Path:
+        """Where step-track found satellites that wander, day after day."""
+        return self.state / "step-track.jsonl"
+
+    @property
     def history(self) -> Path:
         """Lines typed into the raw console."""
         return self.state / "history.txt"

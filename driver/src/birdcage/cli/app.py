@@ -52,6 +52,9 @@ COMMANDS = {
     "rssi": "Print the signal strength, as often as it is told.",
     "peak": "Find the middle of a satellite by its signal, and point there.",
     "sweep": "Measure the signal along an axis, and fit a beam to it.",
+    "on-off": "Compare the signal of a source with the sky beside it.",
+    "drift": "Let a source drift through the beam, and measure the beam.",
+    "step-track": "Stay on an inclined satellite by its signal.",
     "acquire": "Find a satellite near where it should be, say which it is, and set north by it.",
     "recordings": "List recordings of the signal, and print one as CSV.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
@@ -74,9 +77,10 @@ class Birdcage(click.Group):
         """Load a command; None if there is none of that name."""
         if cmd_name not in COMMANDS:
             return None
-        # `if` is a word of Python's own, which no module that can be imported is called.
+        # `if` is a word of Python's own, and `on-off` is none: no module that can be imported is called so.
         with interrupt_quits():
-            module = import_module(f"birdcage.cli.commands.{cmd_name}{'_' if iskeyword(cmd_name) else ''}")
+            name = f"{cmd_name.replace('-', '_')}{'_' if iskeyword(cmd_name) else ''}"
+            module = import_module(f"birdcage.cli.commands.{name}")
         command: click.Command = module.command
         return command
 

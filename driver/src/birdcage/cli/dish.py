@@ -211,10 +211,11 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
             f"This version does not speak {wanted.firmware}. It speaks {', '.join(known)}. Without --firmware, "
             "BIRDCAGE_FIRMWARE and dish.firmware the port is asked."
         )
-    sources = SourceSet(wanted.settings, clock, wanted.load)
+    sources = SourceSet(wanted.settings, clock, wanted.load, memory=wanted.paths.found_directions)
     session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
         clock=clock, survey=survey, load=wanted.load, tasks=sources.tasks,
+        on_close=sources.close_meters,
     )  # fmt: skip
     sources.attach(session.station)
     return session

@@ -61,15 +61,8 @@ class PeakTask(ItemTask[tuple[float, float]]):
             yield from super().steps(now_s, asked=asked)
 
     def items(self) -> Sequence[tuple[float, float]]:
-        """Return the directions: to and fro, so that each is next to the one before."""
-        step = SPACING * (self.width_deg or ASSUMED_WIDTH_DEG)
-        across = step / math.cos(math.radians(self.el_deg))
-        offsets = [each - (SIDE - 1) / 2 for each in range(SIDE)]
-        return [
-            (wrap_360(self.az_deg + x * across), self.el_deg + y * step)
-            for row, y in enumerate(offsets)
-            for x in (offsets if row % 2 == 0 else reversed(offsets))
-        ]
+        """Return the directions."""
+        return grid_about(self.az_deg, self.el_deg, SIDE, SPACING * (self.width_deg or ASSUMED_WIDTH_DEG))
 
     def do(self, item: tuple[float, float]) -> Steps:
         """Point there, and read the signal."""
@@ -101,3 +94,14 @@ class PeakTask(ItemTask[tuple[float, float]]):
     def result(self) -> BeamFit | None:
         """Return the fit; None where there is no source."""
         return self._fit
+
+
+def grid_about(az_deg: float, el_deg: float, side: int, step_deg: float) -> list[tuple[float, float]]:
+    """Return `side` by `side` directions about one: to and fro, so that each is next to the one before."""
+    across = step_deg / math.cos(math.radians(el_deg))
+    offsets = [each - (side - 1) / 2 for each in range(side)]
+    return [
+        (wrap_360(az_deg + x * across), el_deg + y * step_deg)
+        for row, y in enumerate(offsets)
+        for x in (offsets if row % 2 == 0 else reversed(offsets))
+    ]

@@ -11,6 +11,8 @@ from birdcage.signal.ear import SourceEar, TaskEar, TunerEar
 from birdcage.signal.signal_tasks import signal_tasks
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from birdcage.base.clock import Clock
     from birdcage.base.config import Settings
     from birdcage.signal.meter_source import MeterSource
@@ -28,9 +30,14 @@ class SourceSet:
     """Any thread may call it. Nothing is connected to, or started, before somebody watches it."""
 
     def __init__(
-        self, settings: Settings, clock: Clock, load: Callable[[], Settings] | None = None, *, threads: bool = True
-    ) -> None:
-        """`load` reads the settings again. `threads=False`: a test calls the receiver's `step`."""
+        self, settings: Settings, clock: Clock, load: Callable[[], Settings] | None = None, *,
+        memory: Path | None = None, threads: bool = True,
+    ) -> None:  # fmt: skip
+        """`load` reads the settings again; `memory` is the file of what step-track remembers.
+
+        `threads=False`: a test calls the receiver's `step`.
+        """
+        self._memory = memory
         self._settings, self._clock, self._load, self._threads = settings, clock, load, threads
         self._station: StationAccess | None = None
         self._lock = threading.RLock()
@@ -48,7 +55,7 @@ class SourceSet:
     @property
     def tasks(self) -> Mapping[str, Callable[..., Task]]:
         """What the station is given: tasks that hear by these sources."""
-        return signal_tasks(self.ear)
+        return signal_tasks(self.ear, self._memory)
 
     @property
     def ids(self) -> tuple[str, ...]:
@@ -139,6 +146,11 @@ class SourceSet:
                 self._tuner.close()
             if self._receiver is not None:
                 self._receiver.close()
+        self.close_meters()
+
+    def close_meters(self) -> None:
+        """End the programs and connections beside the receiver that a pass tunes, which the pursuit desk closes."""
+        with self._lock:
             for meter in self._meters.values():
                 meter.close()
 

@@ -49,6 +49,7 @@ def open_session(
     antenna: BirdcageAntenna | None = None,
     load: Callable[[], Settings] | None = None,
     tasks: Mapping[str, Callable[..., Task]] = MappingProxyType({}),
+    on_close: Callable[[], None] = lambda: None,
 ) -> Session:
     """Build a session that will speak `firmware` over `port`; nothing is opened before it is started or stepped.
 
@@ -57,6 +58,7 @@ def open_session(
     the dish at a port for what is remembered of it, in place of the port's own identity. `antenna` is one that a script
     has made, which the station takes over. `load` reads the settings again when an attached program has changed them;
     without it that is refused. `tasks` are those that may be begun by their kinds.
+    `on_close` is called once the dish has been seen to.
     KeyError for a firmware that this version does not speak.
     """
     transcript = Transcript(paths.transcripts if settings.link.transcript else None, version=version)
@@ -98,6 +100,7 @@ def open_session(
     event_hooks = None if hooks.on_event is None else EventHooks(station, hooks.on_event, hooks.deadline_s)
 
     def close() -> None:
+        on_close()
         if event_hooks is not None:
             event_hooks.close(CLOSE_S)
         held_keeper.close(CLOSE_S)

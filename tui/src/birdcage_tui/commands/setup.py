@@ -29,6 +29,8 @@ SETUP = (
             where=WHERE),
     Command("setup-previous-cause", ("left",), "←", "Previous cause", "Show the previous cause.", "Setup",
             where=WHERE),
+    Command("setup-first", ("F",), "F", "First satellite", "Show the last step: a satellite is found by its signal.",
+            "Setup", where=WHERE),
     Command("setup-goto", ("g",), "g", "Go to …", "Type a direction once the area is clear.", "Motion", can_move,
             where=WHERE),
 )  # fmt: skip

@@ -26,7 +26,8 @@ def can_find(context: CommandContext) -> str | None:
 
 SIGNAL = (
     Command(
-        "signal-find", ("f",), "f", "Find the peak …", "Listen in 25 directions around here, and end in the middle.",
+        "signal-find", ("f",), "f", "By the signal …",
+        "Find the peak, step-track, on-off, drift scan, or acquire a satellite.",
         "Signal", can_find, footer="find", where=WHERE,
     ),
     Command(

@@ -40,6 +40,9 @@ class SignalSources(Protocol):
     def chosen_now(self) -> str:
         """Read the settings again, and return the id of the source that the mounted feed names."""
 
+    def close_meters(self) -> None:
+        """End programs and connections that were begun for it."""
+
 
 class SignalFeed:
     """Nothing is read before `begin`, nor after `close`."""

@@ -45,6 +45,7 @@ class SetupPage(SetupBody):
             "setup-next-cause": lambda: self.walk(1),
             "setup-previous-cause": lambda: self.walk(-1),
             "setup-goto": self.goto,
+            "setup-first": self.show_first,
         }
         if command not in deeds:
             return False
@@ -111,6 +112,11 @@ class SetupPage(SetupBody):
         """Show the plug, or hide it."""
         self.wiring = not self.wiring
         self.host.paint()
+
+    def show_first(self) -> None:
+        """Go to the last step."""
+        self._attempt(lambda: self.engine.go("first"))
+        self.follow()
 
     def goto(self) -> None:
         """Open the go-to line, once the area is clear."""

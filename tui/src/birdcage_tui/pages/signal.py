@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from birdcage.signal.drift_task import DriftTask
+from birdcage.signal.on_off_task import OnOffTask
+from birdcage.signal.peak_task import PeakTask
+from birdcage.signal.source_path import SourcePath
+from birdcage.signal.step_track_task import StepTrackTask
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
@@ -12,8 +17,19 @@ from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.ask_sweep import begin_sweep, sweep_question
-from birdcage_tui.signal.choose import SourceScreen
-from birdcage_tui.signal.find import begin_find, find_question
+from birdcage_tui.signal.choose import source_question
+from birdcage_tui.signal.find import (
+    ACQUIRE,
+    begin_drift,
+    begin_find,
+    begin_on_off,
+    begin_step_track,
+    drift_path,
+    drift_words,
+    find_question,
+    on_off_question,
+    step_track_question,
+)
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
@@ -21,6 +37,7 @@ from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
 from birdcage_tui.signal.tone import WAITS_S, bell_period_s
 from birdcage_tui.signal.waterfall import WaterfallPane
+from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.fields_screen import Values
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.pane import Pane
@@ -112,11 +129,49 @@ class SignalPage(Page):
         self._give_room()
         self.query_one(ReceiverPane).styles.height = 3 if self.size.width >= 110 else 4
 
-    def _find(self, agreed: bool | None) -> None:
-        if agreed:
-            self.host.signals.book.forget_peak()
-            begin_find(self.host.view(), self.host.ask)
-            self.host.say("Finding the peak. Space stops the dish.")
+    def _find(self, what: str | None) -> None:
+        """Begin what was chosen, or ask what else it needs."""
+        match what:
+            case PeakTask.kind:
+                self.host.signals.book.forget_peak()
+                begin_find(self.host.view(), self.host.ask)
+                self.host.say("Finding the peak. Space stops the dish.")
+            case StepTrackTask.kind:
+                self.app.push_screen(step_track_question(), self._step_track)
+            case OnOffTask.kind:
+                self.app.push_screen(on_off_question(self.host.view()), self._on_off)
+            case DriftTask.kind:
+                path = self._drift_path()
+                if path is not None:
+                    question = QuestionScreen("Drift scan", drift_words(path), "area is clear: begin")
+                    self.app.push_screen(question, self._drift)
+            case str(acquire) if acquire == ACQUIRE:
+                self.host.show_page("setup", then="setup-first")
+
+    def _step_track(self, values: Values | None) -> None:
+        if values is not None:
+            begin_step_track(self.host.view(), values, self.host.ask)
+            self.host.say("Step-track: first the peak. Space stops the dish.")
+
+    def _on_off(self, values: Values | None) -> None:
+        if values is not None:
+            begin_on_off(self.host.view(), values, self.host.ask)
+            self.host.say("On-off: on the source and beside it. Space stops the dish.")
+
+    def _drift(self, agreed: bool | None) -> None:
+        path = self._drift_path() if agreed else None
+        if path is not None:
+            self._show_view(SweepPane)
+            begin_drift(self.host.view(), path, self.host.ask)
+            self.host.say("Drift scan. Space stops the dish.")
+
+    def _drift_path(self) -> SourcePath | None:
+        """Return the Sun's way through the beam; say why where it has none."""
+        try:
+            return drift_path(self.host.view())
+        except ValueError as wrong:
+            self.host.say(str(wrong))
+            return None
 
     def _sweep(self, values: Values | None) -> None:
         if values is not None:
@@ -177,7 +232,7 @@ class SignalPage(Page):
             case "signal-view":
                 self._show_view(self._next_view)
             case "signal-source":
-                self.app.push_screen(SourceScreen(self.host.signals.choices), self._hear_by)
+                self.app.push_screen(source_question(self.host.signals.choices), self._hear_by)
             case "signal-record":
                 self._switch_record()
             case "signal-forget":

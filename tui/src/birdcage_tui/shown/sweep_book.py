@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from birdcage.base.geometry import shortest_turn
+from birdcage.signal.drift_task import DriftTask
 from birdcage.signal.sweep_task import SweepTask
 from birdcage.station.task_state import TaskPhase, TaskState, TaskValue
 
@@ -54,7 +55,7 @@ class SweepShown:
 
     number: int
     axis: str
-    """`az` or `el`."""
+    """`az`, `el`, or `path`: along the way of what drifts through the beam."""
     done: int
     of: int
     points: Sequence[SweepPoint] = ()
@@ -72,8 +73,8 @@ class SweepBook:
     """The newest last."""
 
     def take(self, task: TaskState) -> None:
-        """Take what a task has found so far, if it is a sweep."""
-        if task.kind != SweepTask.kind:
+        """Take what a task has found so far, if it is a sweep or a drift scan."""
+        if task.kind not in (SweepTask.kind, DriftTask.kind):
             return
         sweep = _sweep_of(task)
         others = tuple(each for each in self.shown if each.number != sweep.number)
@@ -85,7 +86,7 @@ def _sweep_of(task: TaskState) -> SweepShown:
     points: list[SweepPoint] = []
     for row in rows if isinstance(rows, tuple) else ():
         az_deg, el_deg, level, scatter, count = row
-        deg = el_deg if axis == "el" else _unrolled(az_deg, points)
+        deg = {"el": el_deg, "path": az_deg}.get(axis, _unrolled(az_deg, points))
         points.append(SweepPoint(deg, level, scatter / math.sqrt(max(count, 1))))
     fit = _fit_of(task.found, axis, points) if points and "rise" in task.found else None
     over = task.phase is TaskPhase.OVER
@@ -97,11 +98,17 @@ def _unrolled(az_deg: float, before: Sequence[SweepPoint]) -> float:
 
 
 def _fit_of(found: Mapping[str, TaskValue], axis: str, points: Sequence[SweepPoint]) -> SweepFit:
-    az_deg, el_deg, sigma_deg, rise, floor, width_deg = (
-        float(found[name])  # type: ignore[arg-type]
-        for name in ("az_deg", "el_deg", "sigma_deg", "rise", "floor", "width_deg")
-    )
-    middle = points[len(points) // 2].deg
-    deg = el_deg if axis == "el" else middle + shortest_turn(middle, az_deg)
-    stretch = 1.0 if axis == "el" else 1.0 / max(math.cos(math.radians(el_deg)), 0.01)
+    def number(name: str) -> float:
+        return float(found[name])  # type: ignore[arg-type]
+
+    sigma_deg, rise, floor, width_deg = (number(name) for name in ("sigma_deg", "rise", "floor", "width_deg"))
+    deg, stretch = 0.0, 1.0
+    if axis == "path":
+        deg = number("along_deg")
+    elif axis == "el":
+        deg = number("el_deg")
+    else:
+        middle = points[len(points) // 2].deg
+        deg = middle + shortest_turn(middle, number("az_deg"))
+        stretch = 1.0 / max(math.cos(math.radians(number("el_deg"))), 0.01)
     return SweepFit(deg, sigma_deg, rise, floor, width_deg, found.get("unit") == "dB", stretch)

@@ -12,7 +12,7 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
 Scale = Callable[[float], float]
-AXES = {"az": "azimuth", "el": "elevation"}
+AXES = {"az": "azimuth", "el": "elevation", "path": "along the path"}
 AXIS_COLUMNS = 7
 EMPTY = "No sweep yet. w sweeps an axis through where the dish points."
 
@@ -98,6 +98,8 @@ def _write_axis(cells: Cells, newest: SweepShown, left: float, right: float, wid
 
 
 def _deg_text(deg: float, axis: str, digits: int = 1) -> str:
+    if axis == "path":
+        return f"{deg:+.{digits}f}°"
     return f"{deg % 360.0 if axis == 'az' else deg:.{digits}f}°"
 
 
@@ -113,4 +115,5 @@ def _words(sweep: SweepShown, unit: str) -> str:
         return sweep.why
     last = sweep.points[-1] if sweep.points else None
     told = "" if last is None else f", {last.level:.0f} {unit} at {_deg_text(last.deg, sweep.axis)}"
-    return f"Sweep in {AXES[sweep.axis]}: {sweep.done} of {sweep.of} directions{told}"
+    what = "Drift scan" if sweep.axis == "path" else f"Sweep in {AXES[sweep.axis]}"
+    return f"{what}: {sweep.done} of {sweep.of} directions{told}"

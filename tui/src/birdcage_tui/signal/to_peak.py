@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut
 from birdcage_tui.drawing.digits import put_big
-from birdcage_tui.shown.event_words import FINDING, finding_now
+from birdcage_tui.shown.event_words import finding_now, finding_words
 from birdcage_tui.shown.level_words import NEAR_DEG, arrow, turn_to, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
@@ -38,8 +38,7 @@ class ToPeakPane(Pane):
         cells.put(3 + wide, y, "elevation", "dim")
         task = finding_now(view.state)
         if task is not None:
-            told = f"{FINDING[task.kind]}: {task.done or 0} of {task.of} heard"
-            cells.put(1, y + 1, cut(told, cells.width - 2), "accent-strong")
+            cells.put(1, y + 1, cut(finding_words(task), cells.width - 2), "accent-strong")
         elif fit is not None:
             found = f"Fit of {fit.points}: {fit.az_deg:.2f}°/{fit.el_deg:.2f}° ±{fit.sigma_deg:.2f}°"
             cells.put(1, y + 1, cut(found, cells.width - 2), "text")
