@@ -59,3 +59,18 @@ def test_a_program_that_it_hears_by_ends_with_the_command(run, tmp_path):
     assert "No source stands out of the floor on this line." in result.stderr
     with pytest.raises(ProcessLookupError):
         os.kill(int(note.read_text()), 0)
+
+
+def test_a_dish_that_does_not_tell_where_it_points_is_sent_to_the_named_target(run, tmp_path):
+    file = tmp_path / "own.toml"
+    text = "import time, itertools; [(print(-41.5), time.sleep(0.05)) for _ in itertools.count()]"
+    file.write_text(f'[signal.meter]\ncommand = """{program(text)}"""\nevery_s = 0.1\n')
+    untold = ("--config", file, "sweep", "el", "--span", "2", "--step", "1", "--source", "meter")
+    refused = run(*untold, port="sim:carryout", firmware="carryout")
+    assert refused.exit_code == 4
+    assert "only once it has moved. Name a TARGET. Nothing was sent." in refused.stderr
+    swept = run(*untold, "180", "40", port="sim:carryout", firmware="carryout")
+    assert "No source stands out of the floor on this line." in swept.stderr
+    assert [line.split()[:2] for line in swept.stdout.splitlines()] == [
+        ["180.00", "39.00"], ["180.00", "40.00"], ["180.00", "41.00"],
+    ]  # fmt: skip

@@ -109,6 +109,8 @@ def need_position(dish: StationCommand) -> None:
         raise MotionRefused(f"{facts.no_following} Nothing was sent.", reason=Reason.UNSUPPORTED)
     deadline = dish.now + READ_S
     while dish.state.position is None and dish.state.homed is not False and dish.now < deadline:
+        if dish.state.awaits_first_move:
+            break
         dish.look()
     if dish.state.position is None or dish.state.position_lost is not None:
         raise PositionUnknown(f"Nothing is followed. {why_unknown(dish.state)}", reason=Reason.UNHOMED)

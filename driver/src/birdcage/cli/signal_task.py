@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from birdcage.base.config.signals import OWN_TUNER
-from birdcage.base.errors import BirdcageError, CommandRefused
+from birdcage.base.errors import BirdcageError, CommandRefused, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.cli.dish import need_position
 from birdcage.signal.slots_heard import seen_from
@@ -24,19 +24,26 @@ if TYPE_CHECKING:
     from birdcage.station.task_state import TaskState
 
 
-def ready_dish(dish: StationCommand, source: str) -> tuple[Pointing, float]:
+def ready_dish(dish: StationCommand, source: str, *, named: bool) -> tuple[Pointing | None, float]:
     """Wait for a dish that can be led by this source; return where it points, and the width of its beam or 0.
 
-    CommandRefused where that is the dish's own tuner, and it has none; what `need_position` raises.
+    A dish that tells where it points only once it has moved has None, where a target is `named` to send it to.
+    CommandRefused where the source is the dish's own tuner, and it has none; what `need_position` raises.
     """
     dish.come_up(15.0)
-    need_position(dish)
-    facts, position, beam = dish.state.dish, dish.state.position, dish.state.beam
+    facts, beam = dish.state.dish, dish.state.beam
     if source == OWN_TUNER and facts is not None and not facts.has_rssi:
         words = f"The {facts.name} has no tuner to read. With --source your receiver is heard. Nothing was sent."
         raise CommandRefused(words, reason=Reason.UNSUPPORTED)
-    assert position is not None, "it was waited for"
-    return position, 0.0 if beam is None else beam.mean_deg
+    try:
+        need_position(dish)
+    except PositionUnknown as unknown:
+        if not dish.state.awaits_first_move:
+            raise
+        if not named:
+            words = "This dish tells where it points only once it has moved. Name a TARGET. Nothing was sent."
+            raise PositionUnknown(words, reason=Reason.UNTOLD) from unknown
+    return dish.state.position, 0.0 if beam is None else beam.mean_deg
 
 
 def known_slots(wants: Wanted) -> Sequence[SlotSeen]:

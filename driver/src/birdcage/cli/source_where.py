@@ -40,10 +40,15 @@ def path_from(target: Target, wants: Wanted, begin_s: float, length_s: float) ->
 
 def path_now(
     words: tuple[str, ...], wants: Wanted, length_s: float
-) -> tuple[Target | None, Callable[[Pointing], SourcePath]]:
+) -> tuple[Target | None, Callable[[Pointing | None], SourcePath]]:
     """Return the target and its path from now on, or that it is where the dish points, where none is named."""
     if not words:
-        return None, lambda position: SourcePath(((time.time(), position.az_deg, position.el_deg),))
+        return None, _here
     target = named(words, wants)
     path = path_from(target, wants, time.time(), length_s)
     return target, lambda _position: path
+
+
+def _here(position: Pointing | None) -> SourcePath:
+    assert position is not None, "it was waited for"
+    return SourcePath(((time.time(), position.az_deg, position.el_deg),))

@@ -94,7 +94,7 @@ def _search(
     from birdcage.signal.acquire_task import AcquireTask, values_for
     from birdcage.signal.acquired import acquired
 
-    _position, width_deg = ready_dish(dish, by)
+    _position, width_deg = ready_dish(dish, by, named=True)
     say(f"{meant.slot.label} {meant.slot.name} should be at {meant.az_deg:.2f}°/{meant.el_deg:.2f}°.")
     facts = dish.state.dish
     values = {

@@ -54,7 +54,7 @@ def command(
     if rate_deg_s < SLOWEST_DEG_S:
         raise click.UsageError(f"{meant.name} stands still on the sky: it can't drift through the beam. Use `sweep`.")
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        _position, known_deg = ready_dish(dish, by)
+        _position, known_deg = ready_dish(dish, by, named=True)
         width_deg = width_deg or known_deg
         passes_s = WIDTHS * (width_deg or ASSUMED_WIDTH_DEG) / rate_deg_s
         length_s = min(minutes * 60.0 if minutes else passes_s, MOST_S)

@@ -53,7 +53,7 @@ def command(
     by = heard_by(source, wants.settings)
     meant, path_at = path_now(target, wants, TAKES_S)
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, width_deg = ready_dish(dish, by)
+        position, width_deg = ready_dish(dish, by, named=meant is not None)
         values: dict[str, TaskValue] = {
             "path": tuple(path_at(position).rows), "cycles": cycles, "source": by,
             "away_deg": away_deg or BEAMS_AWAY * (width_deg or ASSUMED_WIDTH_DEG),

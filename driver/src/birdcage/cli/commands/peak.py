@@ -56,8 +56,11 @@ def command(
     by = heard_by(source, wants.settings)
     there = direction_to(target, None, None, wants, None) if target else None
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, known_deg = ready_dish(dish, by)
-        az_deg, el_deg = there or (position.az_deg, position.el_deg)
+        position, known_deg = ready_dish(dish, by, named=bool(target))
+        if there is None:
+            assert position is not None, "it was waited for"
+            there = position.az_deg, position.el_deg
+        az_deg, el_deg = there
         width_deg = width_deg or known_deg
         beam = width_deg or ASSUMED_WIDTH_DEG
         patterns = patterns_near(az_deg, el_deg, known_slots(wants), beam)
@@ -79,6 +82,7 @@ def command(
     else:
         tell(ended.why)
     if calibrate:
+        assert position is not None, "it has just come to rest"
         say(_keep(target, wants, ended.found, position))
 
 

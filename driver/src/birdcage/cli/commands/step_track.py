@@ -49,7 +49,7 @@ def command(
     by = heard_by(source, wants.settings)
     meant, path_at = path_now(target, wants, 60.0)
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, width_deg = ready_dish(dish, by)
+        position, width_deg = ready_dish(dish, by, named=meant is not None)
         path = path_at(position)
         az_deg, el_deg = path.at(path.begin_s)
         values: dict[str, TaskValue] = {

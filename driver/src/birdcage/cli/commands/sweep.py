@@ -53,8 +53,11 @@ def command(
     by = heard_by(source, wants.settings)
     there = direction_to(target, None, None, wants, None) if target else None
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        position, width_deg = ready_dish(dish, by)
-        az_deg, el_deg = there or (position.az_deg, position.el_deg)
+        position, width_deg = ready_dish(dish, by, named=bool(target))
+        if there is None:
+            assert position is not None, "it was waited for"
+            there = position.az_deg, position.el_deg
+        az_deg, el_deg = there
         values: dict[str, TaskValue] = {
             "axis": axis, "az_deg": az_deg, "el_deg": el_deg, "span_deg": span_deg, "step_deg": step_deg,
             "width_deg": width_deg, "go": go, "source": by,
