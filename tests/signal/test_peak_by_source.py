@@ -130,3 +130,20 @@ def test_a_source_that_there_is_not_refuses_the_task():
     bench = Bench("g2?seed=1", {"tasks": signal_tasks()}).connect(6.0)
     with pytest.raises(CommandRefused, match="there is no signal source called meter"):
         bench.do(BeginTask("peak", {"az_deg": 180.0, "el_deg": 40.0, "source": "meter"}, "you"))
+
+
+def test_a_lost_link_ends_it_and_no_release_is_promised_to_resume_it():
+    bench, source = made("g2", (180.0, 40.0))
+    bench.do(BeginTask("peak", {"az_deg": 180.0, "el_deg": 40.0, "width_deg": WIDTH_DEG}, "you"))
+    while source.watchers != {"task"} or bench.state.tasks[0].done < 2:
+        source.tick(bench)
+        bench.step(0.05)
+    source.silent = True  # the task waits for it, and asks the dish for nothing
+    bench.step(0.5)
+    bench.device.unplug()
+    bench.step(2.0)
+    ended = [event.task for event in bench.events if isinstance(event, TaskChanged)][-1]
+    assert ended.why == (
+        "The link is lost. Nothing more is sent, and a move that has begun may still end. The peak was not found."
+    )
+    assert source.watchers == set()

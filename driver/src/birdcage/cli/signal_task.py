@@ -6,13 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from birdcage.base.config.signals import OWN_TUNER
-from birdcage.base.errors import BirdcageError, CommandRefused, PositionUnknown
+from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.cli.dish import need_position
 from birdcage.signal.slots_heard import seen_from
 from birdcage.sky.observer import Observer
 from birdcage.station.events import TaskChanged
 from birdcage.station.requests import BeginTask
+from birdcage.station.state import LinkPhase
 from birdcage.station.task_state import TaskPhase, TaskValue
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ def follow_task(
 
     `doing` is what is shown, with `{}` for how many are done and of how many; `show` is told of each change.
     BirdcageError where it can't be begun, or
-    is cut short, or takes longer than `takes_s`.
+    is cut short, or takes longer than `takes_s`; LinkError where it ended with the link.
     """
     ended: dict[int, TaskState] = {}
     """By number: another program may have a task of this kind, and this one may be over before its number is known."""
@@ -86,5 +87,6 @@ def follow_task(
         dish.look(hear)
     dish.progress.clear()
     if not ended[number].is_done:
-        raise BirdcageError(ended[number].why)
+        lost = dish.state.link.state is not LinkPhase.UP
+        raise (LinkError if lost else BirdcageError)(ended[number].why)
     return ended[number]

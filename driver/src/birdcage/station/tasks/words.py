@@ -8,6 +8,12 @@ from birdcage.station.state import Fault, HeldState
 from birdcage.station.task import Task
 
 CLOSED = "birdcage has ended."
+CUT_SHORT = {
+    HeldReason.LINK: "The link is lost. Nothing more is sent, and a move that has begun may still end.",
+    HeldReason.FAULT: "The dish no longer knows where it points.",
+    HeldReason.CLOCK: "The clock stepped, or the computer slept.",
+}
+"""What ends a task that does not go on afterwards. The other reasons latch by a person's STOP or a fault."""
 
 
 def replaced(kind: str, by_kind: str) -> str:
@@ -43,7 +49,9 @@ def held(held: HeldState, fault: Fault | None) -> str:
 
 
 def interrupted(reason: HeldReason, task: Task) -> str:
-    """What broke in, and what would make it go on."""
+    """What broke in, and what would make it go on; of a task that does not go on, what became of it."""
+    if not task.goes_on:
+        return f"{CUT_SHORT.get(reason, CUT_SHORT[HeldReason.CLOCK])} {task.cut_words}".rstrip()
     if reason is HeldReason.LINK and task.resumes:
         return (
             f"{SENTENCES[reason]} It resumes by itself if the link is back within {task.resume_within_s:g} s "
