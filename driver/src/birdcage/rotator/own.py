@@ -88,8 +88,9 @@ def with_speeds(facts: Facts, speeds: Mapping[int, float]) -> Facts:
         speed = speeds.get(axis.index, axis.speed_deg_s)
         if facts.origin_of(f"{axis.role.value}.speed_deg_s") is Origin.USER:
             speed = min(speed, axis.speed_deg_s)
-        axes.append(replace(axis, speed_deg_s=speed))
-    return facts.with_axes(*axes)
+        if speed != axis.speed_deg_s:
+            axes.append(replace(axis, speed_deg_s=speed))
+    return facts.with_axes(*axes) if axes else facts
 
 
 def _stopped_as_it_moves(facts: Facts) -> Facts:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -13,12 +13,17 @@ from birdcage.rotator.own import with_speeds
 from birdcage.station.state_store import StateStore
 
 if TYPE_CHECKING:
+    from birdcage.rotator.facts import Facts
     from birdcage.station.pursuit_state import PursuitOptions
     from birdcage.station.requests import Pursue
+    from birdcage.station.state import StationState
     from birdcage.tracking.controller_input import Controller
     from birdcage.tracking.plan import Plan
     from birdcage.tracking.planning.bounds import PlanBounds
     from birdcage.tracking.pursuit_context import PursuitContext, StageNotice
+
+_NO_MASK = Settings()
+"""The horizon mask keeps the dish from nothing."""
 
 
 def refuse(plan: Plan, now_s: float) -> None:
@@ -44,11 +49,9 @@ def context_for(
         park = antenna.alignment.to_dish(options.park_az_deg, options.park_el_deg)
     delay_s = antenna.rotator.line.delay_s
     beam, loss_db = store.state.beam, options.dead_band_db
+    now = _DishNow(store, antenna)
     context = PursuitContext(
-        request.plan, controller,
-        # Without the speeds that it changes itself as it follows.
-        lambda: with_speeds(antenna.kind, {**antenna.speeds_deg_s, **store.state.speeds_lent}),
-        lambda: bounds_of(store), hear, request.asked, park,
+        request.plan, controller, now.model, now.bounds, hear, request.asked, park,
         gate.cable_limits if gate.cable_deg is not None else None, options.dead_band_steps,
         beam.at(request.plan.aim.frequency_hz).error_deg(loss_db) if beam is not None and loss_db is not None else 0.0,
         lambda: antenna.rotator.line.answered, delay_s, lead_s(name, delay_s),
@@ -66,9 +69,35 @@ def controller_that_suits(options: PursuitOptions, antenna: BirdcageAntenna) -> 
         return controller_for(antenna.model)
 
 
-def bounds_of(store: StateStore) -> PlanBounds:
+def bounds_of(state: StationState) -> PlanBounds:
     """Return what limits a plan of motion: axes, cable and sectors as they are now."""
     from birdcage.station.mounting import mount_of
     from birdcage.tracking.planning.bounds import PlanBounds
 
-    return PlanBounds.of(mount_of(store.state, Settings()))  # whose horizon mask keeps the dish from nothing
+    return PlanBounds.of(mount_of(state, _NO_MASK))
+
+
+class _DishNow:
+    """The dish as it is now, worked out once for each state: a pursuit asks several times for every command."""
+
+    def __init__(self, store: StateStore, antenna: BirdcageAntenna) -> None:
+        self._store, self._antenna = store, antenna
+        self._of: StationState | None = None
+        self._bounds: PlanBounds | None = None
+        self._kind: Facts | None = None
+        self._speeds: Mapping[int, float] = {}
+        self._model: Facts | None = None
+
+    def model(self) -> Facts:
+        """Return it without the speeds that a pursuit changes itself as it follows."""
+        kind, speeds = self._antenna.kind, {**self._antenna.speeds_deg_s, **self._store.state.speeds_lent}
+        if self._model is None or kind is not self._kind or speeds != self._speeds:
+            self._kind, self._speeds, self._model = kind, speeds, with_speeds(kind, speeds)
+        return self._model
+
+    def bounds(self) -> PlanBounds:
+        """Return what limits its motion."""
+        state = self._store.state
+        if self._bounds is None or state is not self._of:
+            self._of, self._bounds = state, bounds_of(state)
+        return self._bounds

@@ -57,6 +57,9 @@ class Watches:
         """Until when a feature that failed is left alone."""
         self._lines: deque[tuple[float, int]] = deque()
         """How many lines were sent when, as long as that counts."""
+        self._periods: Mapping[str, float] = {}
+        self._periods_of: Mapping[str, Feature] | None = None
+        """Of which features the periods are; None: to be worked out."""
         self._other_at = -math.inf
         """When anything but position and signal was read last."""
         self.excursion: Excursion | None = None
@@ -66,10 +69,12 @@ class Watches:
     def add(self, watch: Watch) -> None:
         """Somebody looks; a second time replaces the first."""
         self._watchers[watch.watcher] = watch
+        self._periods_of = None
 
     def remove(self, watcher: str) -> None:
         """Somebody looks away."""
         self._watchers.pop(watcher, None)
+        self._periods_of = None
 
     @property
     def steady_period_s(self) -> float | None:
@@ -82,13 +87,16 @@ class Watches:
         rates = [watch.rate_hz for watch in self._watchers.values() if feature in watch.features]
         return max(shortest_s, 1.0 / max(rates)) if rates and max(rates) > 0 else None
 
-    def periods_s(self, features: Mapping[str, Feature]) -> dict[str, float]:
+    def periods_s(self, features: Mapping[str, Feature]) -> Mapping[str, float]:
         """Return what a machine with these features is asked for, with the period of each in seconds.
 
         The signal has the period of its readings within one excursion, at whatever rate it is watched.
         """
-        periods = {each.id: self._period_s(each) for each in features.values() if each.is_readable}
-        return {name: period_s for name, period_s in periods.items() if period_s is not None}
+        if self._periods_of is not features:
+            periods = {each.id: self._period_s(each) for each in features.values() if each.is_readable}
+            self._periods = {name: period_s for name, period_s in periods.items() if period_s is not None}
+            self._periods_of = features
+        return self._periods
 
     def _period_s(self, feature: Feature) -> float | None:
         if feature.id == RSSI:

@@ -43,7 +43,9 @@ class ParkTask(Task):
         middle_deg = seen.az_deg if cable is None else sum(cable) / 2.0
         to = ways.nearest_turn(middle_deg, az_deg, cable), el_deg
         here = seen.az_deg, seen.el_deg
-        yield SlewTo(ways.way(bounds_of(self._store), antenna.model, here, to, turn_known=cable is not None).stops)
+        yield SlewTo(
+            ways.way(bounds_of(self._store.state), antenna.model, here, to, turn_known=cable is not None).stops
+        )
 
 
 class ShelterTask(ParkTask):
