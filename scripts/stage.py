@@ -27,6 +27,7 @@ from birdcage_tui.drawing.themes import LOOKS
 from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.feeds.ready_watch import KeptSteps
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.sky_feed import make_sky
 from birdcage_tui.feeds.track_source import make_track
@@ -67,6 +68,7 @@ class Stage:
             self._work()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
+        self.app.feeds.ready.tally()
         for _ in range(3):  # a question under way, the one that this very moment asks, and its answer
             self.app.paint()
             await self.pilot.pause()
@@ -129,6 +131,7 @@ async def demo(
             tour=tour,
             presets_file=paths.presets_file,
             recordings_file=paths.signal_recordings,
+            setup_steps=KeptSteps(session, lambda: here, paths).count,
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),
             track=make_track(session, here, lambda: here, paths, demo=True, signals=signals, threads=False),

@@ -18,6 +18,7 @@ from birdcage.protocol.registry import get_protocol
 from birdcage.rotator.facts import CableTurn
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
+from birdcage.setup.tally import StepTally
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.menu_commands import MenuCommands
 from birdcage.station.state import (
@@ -356,6 +357,7 @@ def app_in(name, *, theme="dusk", tour=False, heard=True, **settings):
     settings.setdefault("setup", setup_stand_in.Engine)
     settings = AppOptions(theme=theme, place=PLACE if state.demo else None, tour=tour, **settings)
     app = BirdcageApp(session, settings)
+    app.feeds.ready.steps = StepTally(8, 11)
     if heard and state.position is not None:
         app.signals.book.of(TUNER_FACTS).extend(samples(clock))
     return app

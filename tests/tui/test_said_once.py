@@ -6,7 +6,7 @@ import pytest
 import sky_stand_in
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.signal import SignalPane
-from birdcage_tui.panes.sky_next import next_rows
+from birdcage_tui.shown.next_passes import next_rows
 from birdcage_tui.widgets.skew import SkewPane
 from stage import read, run
 

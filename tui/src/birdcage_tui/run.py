@@ -33,7 +33,7 @@ from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.clock_watch import make_check
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
 from birdcage_tui.feeds.network_source import StationNetwork
-from birdcage_tui.feeds.ready_watch import KeptChecks
+from birdcage_tui.feeds.ready_watch import KeptChecks, KeptSteps
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.sky_feed import make_sky
 from birdcage_tui.feeds.track_source import follow_there, make_track
@@ -280,6 +280,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     shown = replace(
         _app_settings(settings, paths, demo=options.demo, unheeded=_unheeded(options) if attached else ""),
         setup=make_setup,
+        setup_steps=KeptSteps(session, load_again, paths).count,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=track,
         signal=sources,

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from birdcage_tui.commands.calibrate import CALIBRATE
+from birdcage_tui.commands.cards import CARDS
 from birdcage_tui.commands.console import CONSOLE
 from birdcage_tui.commands.control import CONTROL
 from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
@@ -22,8 +23,8 @@ from birdcage_tui.commands.track import TRACK
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *SIGNAL, *PASSES, *POCKET, *CONSOLE, *CALIBRATE, *SETUP,
-    *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *PASSES, *POCKET, *CONSOLE, *CALIBRATE,
+    *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

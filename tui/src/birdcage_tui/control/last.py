@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
-from birdcage_tui.panes.sky_next import HEADING, draw_next, next_rows
+from birdcage_tui.panes.sky_next import HEADING, draw_next
 from birdcage_tui.shown.allowed import can_move
+from birdcage_tui.shown.next_passes import next_rows
 from birdcage_tui.shown.pursuit import pursuit_of, told_before_following
 from birdcage_tui.shown.stop_words import esc_text
 from birdcage_tui.shown.view import CommandNote, View

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.base.paths import Paths
     from birdcage.ready.check import Check
+    from birdcage.setup.tally import StepTally
+    from birdcage.station.access import FaceSession
 
 FIRST_S = 2.0
 """After the first frame: dish and sky come first."""
@@ -70,6 +72,23 @@ class KeptChecks:
         return tuple(check for check in found if check.state != "good" and not decided(check))
 
 
+class KeptSteps:
+    """How many steps of the setup are done, by the file and the dish."""
+
+    def __init__(self, session: FaceSession, load_again: Callable[[], Settings], paths: Paths) -> None:
+        self._session, self._load_again, self._paths = session, load_again, paths
+        self._read: tuple[object, Settings] | None = None
+
+    def count(self) -> StepTally:
+        """Count them now; the file is read where it has changed. BirdcageError where it can't be read."""
+        from birdcage.setup.tally import count_steps
+
+        written = _written(self._paths.config_file)
+        if self._read is None or self._read[0] != written:
+            self._read = written, self._load_again()
+        return count_steps(self._session, self._read[1], self._paths)
+
+
 def _written(file: Path) -> tuple[int, int] | None:
     try:
         found = file.stat()
@@ -80,29 +99,33 @@ def _written(file: Path) -> tuple[int, int] | None:
 
 
 class ReadyWatch:
-    """`now` is what was found last; None before, and where it can't be told."""
+    """`now` is what was found last, `steps` what is done of the setup; None before, and where it can't be told."""
 
     def __init__(
-        self, source: ReadySource | None, soon: Callable[[Callable[[], None]], object], changed: Callable[[], object]
-    ) -> None:
-        self._source, self._soon, self._changed = source, soon, changed
+        self, source: ReadySource | None, soon: Callable[[Callable[[], None]], object], changed: Callable[[], object],
+        count: Callable[[], StepTally] | None = None,
+    ) -> None:  # fmt: skip
+        self._source, self._soon, self._changed, self._count = source, soon, changed, count
         self._closed = threading.Event()
         self.now: tuple[Check, ...] | None = None
+        self.steps: StepTally | None = None
 
     def begin(self) -> None:
         """Begin to look; after the first frame."""
-        if self._source is not None:
-            threading.Thread(target=self._work, args=(self._source,), name="ready-check", daemon=True).start()
+        if self._source is not None or self._count is not None:
+            threading.Thread(target=self._work, name="ready-check", daemon=True).start()
 
     def close(self) -> None:
         """Look no more. A look that is under way ends by itself, unheard."""
         self._closed.set()
 
-    def _work(self, source: ReadySource) -> None:
-        wait_s, left_s, before = FIRST_S, 0.0, None
+    def _work(self) -> None:
+        source, wait_s, left_s, before = self._source, FIRST_S, 0.0, None
         while not self._closed.wait(wait_s):
-            seen, left_s, wait_s = source.fingerprint(), left_s - wait_s, LOOK_S
-            if seen == before and left_s > 0:
+            left_s, wait_s = left_s - wait_s, LOOK_S
+            self.tally()
+            seen = None if source is None else source.fingerprint()
+            if source is None or (seen == before and left_s > 0):
                 continue
             before, left_s = seen, AGAIN_S
             try:
@@ -112,8 +135,23 @@ class ReadyWatch:
             if not self._closed.is_set():
                 self._soon(partial(self.take, found))
 
+    def tally(self) -> None:
+        """Count the steps of the setup. Any thread."""
+        try:
+            steps = None if self._count is None else self._count()
+        except (BirdcageError, OSError):
+            steps = None
+        if steps != self.steps and not self._closed.is_set():
+            self._soon(partial(self.take_steps, steps))
+
     def take(self, found: tuple[Check, ...] | None) -> None:
         """Show what was found; on the app's thread."""
         if found != self.now:
             self.now = found
+            self._changed()
+
+    def take_steps(self, steps: StepTally | None) -> None:
+        """Show how many steps of the setup are done; on the app's thread."""
+        if steps != self.steps:
+            self.steps = steps
             self._changed()

@@ -11,6 +11,7 @@ from birdcage_tui.drawing.terminal_cells import ASPECT
 from birdcage_tui.shown.options import SitePlace
 
 if TYPE_CHECKING:
+    from birdcage.setup.tally import StepTally
     from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.feeds.calibrate_feed import MakeCalibrate
@@ -68,6 +69,8 @@ class AppOptions:
     """Where the signal is recorded; None: nowhere."""
     setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
+    setup_steps: Callable[[], StepTally] | None = field(default=None, compare=False)
+    """Counts the steps of the setup that are done, on a thread after the first frame; None: nothing does."""
     sky: MakeSky | None = field(default=None, compare=False)
     """Makes what watches the sky, after the first frame; None: nothing does."""
     track: MakeTrack | None = field(default=None, compare=False)

@@ -16,6 +16,8 @@ from birdcage_tui.shown.view import Trip, View
 from birdcage_tui.widgets.pane import Pane
 
 _OK, _NO, _UNKNOWN = ("●", "good"), ("▲", "warn"), ("·", "dim")
+Fact = tuple[tuple[str, str], str, str]
+"""Glyph and ink, name, value."""
 COLUMN_S = 5.0
 """Seconds that a column of cells stands for in the strip of replies."""
 GAP_S = 15.0
@@ -38,6 +40,16 @@ def _feed(state: StationState) -> tuple[str, ...]:
         return (f"{name}, beam unknown, {stow}",)
     beams = f"beam {state.beam.words}", f"beam {state.beam.brief}", f"beam {state.beam.size}"
     return (*(f"{name}, {beam}, {stow}" for beam in beams), f"{name} {state.beam.size}, {stow}")
+
+
+def _shared(facts: list[Fact]) -> list[Fact]:
+    """Return the facts with the port in the row of the link, and the offsets in that of the limits."""
+    values = {name: value for _, name, value in facts}
+    link = f"{values['link'].removesuffix(' a reply')}, {values['port'].replace('  heard', ', heard')}"
+    offsets = values["offsets"].removeprefix("az ").replace("  el ", " ")
+    limits = f"{values['limits'].removesuffix(' elevation')}, offset {offsets}"
+    both = {"link": link, "limits": limits}
+    return [(mark, name, both.get(name, value)) for mark, name, value in facts if name not in ("port", "offsets")]
 
 
 def _strip_words(view: View, shown: list[Trip]) -> str:
@@ -97,6 +109,8 @@ class HealthPane(Pane):
             marks = {name: mark for mark, name, _value in facts}
             facts = [(marks["hardware"] if name == "firmware" else mark, name, value) for mark, name, value in facts]
             facts = [fact for fact in facts if fact[1] != "hardware"]
+        if len(facts) > cells.height:  # what belongs together shares a row
+            facts = _shared(facts)
         columns = 2 if cells.width >= 64 and len(facts) > cells.height else 1
         if columns == 1 and len(facts) > cells.height:
             facts = facts[: cells.height]
@@ -123,7 +137,7 @@ class HealthPane(Pane):
         return (value,)
 
     @staticmethod
-    def facts(view: View) -> list[tuple[tuple[str, str], str, str]]:
+    def facts(view: View) -> list[Fact]:
         """Return (glyph and ink, name, value) of every fact."""
         state, link = view.state, view.state.link
         up = link.state is LinkPhase.UP

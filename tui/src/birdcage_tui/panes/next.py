@@ -4,20 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.station.pursuit_state import Phase
-
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import wrap
 from birdcage_tui.panes.next_steps import next_steps
-from birdcage_tui.panes.sky_next import HEADING, WITH_AZIMUTHS, draw_next, next_rows, troubled
-from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.track_words import plain_name
+from birdcage_tui.panes.sky_next import HEADING, WITH_AZIMUTHS, draw_next, troubled
+from birdcage_tui.shown.next_passes import is_followed, next_rows
 from birdcage_tui.shown.unready import worst
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
 if TYPE_CHECKING:
-    from birdcage_tui.shown.sky_picture import ShownPass
     from birdcage_tui.widgets.spark import Sparks
 
 WITH_HEADING = 4
@@ -30,15 +26,6 @@ def _wrapped(words: str, width: int) -> list[str]:
     """Return rows no wider than `width`; a number keeps its unit."""
     rows = wrap(words.replace("12 V", "12\N{NO-BREAK SPACE}V"), width)
     return [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
-
-
-def _followed(row: ShownPass, view: View) -> bool:
-    """Return whether a pass is the one under way, of which *Pointing* tells how long it is in reach."""
-    pursuit = pursuit_of(view.state)
-    passing = None if pursuit is None or pursuit.phase is not Phase.FOLLOWING else pursuit.plan.passing
-    if passing is None or (passing.norad_id, plain_name(passing.name)) != (row.norad_id, row.name):
-        return False
-    return abs(passing.tca.timestamp() - row.tca_s) < 60.0
 
 
 class NextPane(Pane):
@@ -54,7 +41,7 @@ class NextPane(Pane):
         width = max(cells.width - 2, 10)
         steps = [(ink, words, _wrapped(words, width)) for ink, words in next_steps(view)]
         rows = sum(len(lines) for *_, lines in steps)
-        passes, finding = [row for row in next_rows(view) if not _followed(row, view)], worst(view)
+        passes, finding = [row for row in next_rows(view) if not is_followed(row, view.state)], worst(view)
         first = steps[: 2 if finding is not None and finding.words in [words for _, words, _ in steps[:2]] else 1]
         spare = cells.height - (rows if troubled(view) else sum(len(lines) for *_, lines in first))
         heading = cells.width >= WITH_AZIMUTHS and len(passes) >= WITH_HEADING

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import heapq
 from typing import TYPE_CHECKING
 
 from birdcage_tui.drawing.canvas import Cells
@@ -16,9 +15,6 @@ if TYPE_CHECKING:
 
 EVENTS = {"reach": "reach in", "out": "leaves in", "AOS": "rises in", "LOS": "sets in"}
 """What comes next, before the time until it does."""
-CROWD = 100
-"""With more passes than this some piece of debris would always come first."""
-MOST = 40
 WITH_REACH, WITH_WORDS = 40, 46
 """Columns from which a row tells how long it is in reach; from which it says that this is what it tells."""
 LEAST_NAME = 14
@@ -34,26 +30,6 @@ def troubled(view: View) -> bool:
     """Return whether something is wrong with the dish: its sentences come before any pass then."""
     state = view.state
     return not view.link_up or state.held is not None or state.fault is not None or state.homed is not True
-
-
-def next_rows(view: View) -> list[ShownPass]:
-    """Return the passes whose reach begins or ends next; in a crowd favourites first.
-
-    None by elements that are too old for a dish.
-    """
-    if view.sky is None or view.sky.note:
-        return []
-    now_s = view.utc.timestamp()
-    found = []
-    for row in view.sky.rows:
-        if row.age.useless:
-            continue
-        if row.reach.intervals and row.reach.intervals[-1].end_s > now_s:
-            event = row.next_event(now_s)
-            if event is not None:
-                found.append((event[0], row))
-    crowd = len(found) > CROWD
-    return [row for _, row in heapq.nsmallest(MOST, found, key=lambda one: (crowd and not one[1].favourite, one[0]))]
 
 
 def draw_next(

@@ -11,11 +11,12 @@ from textual.containers import Vertical
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import pad, wrap
 from birdcage_tui.feeds.app_host import AppHost
-from birdcage_tui.panes.sky_next import WITH_WORDS, draw_next, next_rows
+from birdcage_tui.panes.sky_next import WITH_WORDS, draw_next
 from birdcage_tui.passes.empty import empty_words
 from birdcage_tui.passes.selection import PassSelection
 from birdcage_tui.pocket.reading import wrong_rows
 from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.next_passes import next_rows
 from birdcage_tui.shown.offer import Offer
 from birdcage_tui.shown.view import View
 from birdcage_tui.track.offer import OfferLine

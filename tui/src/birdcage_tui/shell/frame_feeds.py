@@ -44,7 +44,7 @@ class FrameFeeds:
         self.track = TrackFeed(settings.track, soon, news, bell)
         self.calibrate = CalibrateFeed(settings.calibrate, soon, changed)
         self.clock_watch = ClockWatch(settings.clock_check, lambda told: soon(partial(self.hear_clock, told)))
-        self.ready = ReadyWatch(settings.ready, soon, changed)
+        self.ready = ReadyWatch(settings.ready, soon, changed, settings.setup_steps)
         self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file)
         self.link_book = LinkBook()
         self.notes = Notes()
@@ -117,6 +117,7 @@ class FrameFeeds:
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,
             ready=self.ready.now,
+            setup_steps=self.ready.steps,
             via=self._session.via,
             detached=self._session.detached,
         )

@@ -22,6 +22,7 @@ from birdcage_tui.shown.options import FrameOptions
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
     from birdcage.ready.check import Check
+    from birdcage.setup.tally import StepTally
     from birdcage.signal.peak_hold import LevelNow
     from birdcage.station.pursuit_state import PointingSample
 
@@ -127,6 +128,8 @@ class View:
     """What the calibration shows; None before its tab was visited."""
     ready: tuple[Check, ...] | None = None
     """What the station lacks; None before that was looked at, and where it can't be told."""
+    setup_steps: StepTally | None = None
+    """How many steps of the setup are done; None before that was counted."""
     via: str = ""
     """The program that drives the dish: `birdcage station run (process 4711)`. Empty where this one does itself."""
     detached: bool = False
