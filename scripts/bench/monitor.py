@@ -15,6 +15,7 @@ from birdcage.station.requests import Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.station import Station
+from birdcage_tui.signal.receiver import FEATURES
 
 SECONDS = 120.0
 AIM = 0.95
@@ -60,7 +61,7 @@ def watched_hz(address: str, *, more: frozenset[str] = frozenset()) -> tuple[flo
 
 
 def main() -> None:
-    panel = frozenset({"lock", "snr", "network", "lnb_supply", "frequency", "raw_rssi"})
+    panel = frozenset(FEATURES)
     print("| answers after | floor, readings/s | watched | of the floor | positions/s | with the receiver's panel |")
     print("|---|---|---|---|---|---|")
     for name, address in WIRES.items():

@@ -189,3 +189,20 @@ def test_a_value_that_the_dish_never_tells_is_not_kept_as_read(monkeypatch):
     bench = Bench().connect()
     assert bench.do(Set("lamp", True, "you")).value is True
     assert "lamp" not in bench.state.readings
+
+
+def test_the_transponder_is_told_with_its_channel_by_one_line(bench):
+    since = len(bench.lines())
+    readings = bench.do(Read(("transponder", "frequency", "polarisation")))
+    assert (readings["transponder"].value, readings["polarisation"].value) == (15, "V")
+    assert readings["frequency"].value == pytest.approx(1178.12)
+    assert bench.lines()[since:].count("dis") == 1
+
+
+def test_what_was_read_before_something_was_set_is_read_again(bench):
+    bench.do(Read(("frequency",)))
+    bench.do(Set("transponder", 7.0, "you"))
+    assert bench.do(Read(("frequency",)))["frequency"].value == pytest.approx(1061.48)
+    since = len(bench.lines())
+    bench.do(Read(("frequency", "transponder")))
+    assert bench.lines()[since:] == [], "both are fresh"

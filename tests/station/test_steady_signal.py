@@ -65,6 +65,19 @@ def test_what_else_is_watched_is_read_meanwhile_and_takes_little_of_it(steady):
     assert {"lock", "raw_rssi", "rssi"} <= steady.state.readings.keys()
 
 
+def test_all_that_is_watched_has_its_turn(steady):
+    panel = {"lock", "snr", "network", "rf_agc", "raw_rssi", "frequency", "transponder", "lnb_supply", "tuner_chip"}
+    steady.watch("position", *panel)
+    start = steady.clock.monotonic()
+    steady.step(20)
+    assert panel <= steady.state.readings.keys()
+    steady.step(60)
+    ages = {each: steady.clock.monotonic() - steady.state.readings[each].at for each in panel - {"tuner_chip"}}
+    assert max(ages.values()) < 20.0, ages
+    sent = [line for at, line in steady.received() if at > start]
+    assert sent.count("config") == 1, "the chip stays what it is"
+
+
 def test_a_step_by_hand_goes_out_at_once_and_it_is_read_again_where_the_dish_has_come_to_rest(steady):
     before = steady.clock.monotonic()
     az_deg = steady.state.position.az_deg

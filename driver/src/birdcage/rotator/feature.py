@@ -137,6 +137,8 @@ class Feature:
     """How many measurements the machine averages in one reading."""
     health: HealthMark | None = None
     """How it tells how well the machine is; None for what does not."""
+    note: str = ""
+    """What a person should know who writes it, in sentences."""
 
     @property
     def is_readable(self) -> bool:

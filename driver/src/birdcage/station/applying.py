@@ -11,6 +11,7 @@ from birdcage.base.beam import beam_of
 from birdcage.base.config import Settings
 from birdcage.base.errors import BirdcageError, CommandRefused
 from birdcage.base.reason import Reason
+from birdcage.station.converter import converter_of
 from birdcage.station.parts import Parts
 from birdcage.station.settings import Rules, rules_from
 from birdcage.station.state import MOVING
@@ -72,7 +73,8 @@ class Applying:
         self._store.change(
             position=position, alignment=alignment,
             az_offset_deg=alignment.az_offset_deg, el_offset_deg=alignment.el_offset_deg,
-            feed_name=rules.feed_name, beam=beam, unplanned_stop=self._antenna.strategy.unplanned,
-            stow_allowed=rules.stow_allowed, motion_refused_because=rules.refuse_motion or self._wrong_facts,
+            feed_name=rules.feed_name, converter=converter_of(rules.feed), beam=beam,
+            unplanned_stop=self._antenna.strategy.unplanned, stow_allowed=rules.stow_allowed,
+            motion_refused_because=rules.refuse_motion or self._wrong_facts,
         )  # fmt: skip
         self._reader.limit()

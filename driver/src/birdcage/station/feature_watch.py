@@ -158,7 +158,7 @@ class FeatureWatch:
         return self._watches.steady_period_s is not None and RSSI in self._features
 
     def _steadily(self, periods: Mapping[str, float]) -> tuple[float, str]:
-        """Return what is due next, and when: the signal, or at times another feature, of its own menu or elsewhere."""
+        """Return what is due next, and when: the signal, or at times what else has waited longest."""
         signal_s = self._watches.steady_period_s
         assert signal_s is not None, "it is watched steadily"
         times = [(self._due_of(RSSI, signal_s), RSSI)]
@@ -166,7 +166,7 @@ class FeatureWatch:
             if name != RSSI:
                 pause_over_at = max(self._other_at, self._away_at if self._is_away(name) else -math.inf)
                 times.append((max(self._due_of(name, period_s), pause_over_at), name))
-        return min(times)
+        return min(times, key=lambda each: (each[0], self._watches.asked_at(each[1]), each[1]))
 
     def _is_away(self, name: str) -> bool:
         return self._features[name].cost.menu != self._features[RSSI].cost.menu

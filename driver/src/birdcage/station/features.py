@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -21,12 +22,15 @@ class FeatureHandler:
     def __init__(self, parts: Parts) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
         self._reader, self._search = parts.reader, SearchControl(parts)
+        self._written_at = -math.inf
+        """When a feature was written last: what was read before need not hold any more."""
 
     def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
         """Ask the machine for some features, and tell all; what it did not tell is left out.
 
-        What was read less than its `min_interval_s` ago is not asked for again. BirdcageError (`moving`) while the
-        machine moves, unless each may be read then; LeaseDenied while a person has its console.
+        What was read less than its `min_interval_s` ago, and after anything was written, is not asked for again.
+        BirdcageError (`moving`) while the machine moves, unless each may be read then; LeaseDenied while a person has
+        its console.
         """
         features = [self._feature(each, readable=True) for each in ids]
         readings = {each.id: told for each in features if (told := self._fresh(each)) is not None}
@@ -101,9 +105,9 @@ class FeatureHandler:
     def _fresh(self, feature: Feature) -> Reading | None:
         """Return the last reading while it is too early for another."""
         last = self._store.state.readings.get(feature.id)
-        if last is None or self._store.clock.monotonic() - last.at >= feature.cost.min_interval_s:
+        if last is None or last.at < self._written_at:
             return None
-        return last
+        return last if self._store.clock.monotonic() - last.at < feature.cost.min_interval_s else None
 
     def _ask(self, ids: list[str]) -> Mapping[str, Reading]:
         self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
@@ -126,6 +130,7 @@ class FeatureHandler:
         except CommandRefused:
             self._come_back()
             raise
+        self._written_at = reading.at
         if feature.is_readable:  # else it may have forgotten it since, and nothing would tell
             self._reader.note({feature.id: reading})
         self._come_back()

@@ -19,6 +19,7 @@ from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
 from birdcage.rotator.values import Position
+from birdcage.station.converter import FeedConverter
 from birdcage.station.network_state import NetworkState
 from birdcage.station.pursuit_state import Pursuit
 from birdcage.station.task_state import KeptTask, TaskState
@@ -301,6 +302,8 @@ class StationState:
     alignment: Alignment = field(default_factory=Alignment)
     """The whole of what is in force: the offsets above, tilt and collimation. Shown whenever it is not zero."""
     feed_name: str = ""
+    converter: FeedConverter | None = None
+    """Of that feed: from what the dish's own tuner is set to, to the sky. None where its LO is not set."""
     own: OwnFacts = field(default_factory=OwnFacts)
     """What was learnt of this dish itself, which `dish` has too, with where it comes from."""
     beam: Beam | None = None

@@ -14,6 +14,7 @@ from birdcage.rotator.facts import CableTurn, Facts
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import StopMeans
 from birdcage.rotator.own import OwnFacts
+from birdcage.station.converter import FeedConverter
 from birdcage.station.network_state import NetworkState
 from birdcage.station.pursuit_state import Pursuit
 from birdcage.station.state import (
@@ -65,6 +66,7 @@ class StateChanges(TypedDict, total=False):
     el_offset_deg: float
     alignment: Alignment
     feed_name: str
+    converter: FeedConverter | None
     own: OwnFacts
     beam: Beam | None
     stow_allowed: bool

@@ -14,6 +14,7 @@ from birdcage_tui.commands.jog import JOG
 from birdcage_tui.commands.network import NETWORK
 from birdcage_tui.commands.passes import PASSES
 from birdcage_tui.commands.pocket import POCKET
+from birdcage_tui.commands.receiver import RECEIVER
 from birdcage_tui.commands.resume import RESUME
 from birdcage_tui.commands.setup import SETUP
 from birdcage_tui.commands.signal import SIGNAL
@@ -23,8 +24,8 @@ from birdcage_tui.commands.track import TRACK
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *PASSES, *POCKET, *CONSOLE, *CALIBRATE,
-    *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *RECEIVER, *PASSES, *POCKET, *CONSOLE,
+    *CALIBRATE, *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

@@ -16,6 +16,7 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import way_to
 from birdcage_tui.shown.view import View
+from birdcage_tui.signal.ask_receiver import supply_13_volts, supply_question, transponder_question, tune
 from birdcage_tui.signal.ask_sweep import begin_sweep, sweep_question
 from birdcage_tui.signal.choose import source_question
 from birdcage_tui.signal.find import (
@@ -127,7 +128,7 @@ class SignalPage(Page):
         tall = self.size.height >= TALL
         self.query_one("#signal-upper").styles.height = UPPER_TALL if tall else UPPER
         self._give_room()
-        self.query_one(ReceiverPane).styles.height = 3 if self.size.width >= 110 else 4
+        self.query_one(ReceiverPane).styles.height = 5 if tall else 4
 
     def _find(self, what: str | None) -> None:
         """Begin what was chosen, or ask what else it needs."""
@@ -207,6 +208,14 @@ class SignalPage(Page):
         else:
             self.host.say("There is no folder for recordings.")
 
+    def _tune(self, values: Values | None) -> None:
+        if values is not None:
+            tune(self.host, values)
+
+    def _supply(self, agreed: bool | None) -> None:
+        if agreed:
+            supply_13_volts(self.host)
+
     def _hear_by(self, source: str | None) -> None:
         if source is None:
             return
@@ -235,6 +244,10 @@ class SignalPage(Page):
                 self.app.push_screen(source_question(self.host.signals.choices), self._hear_by)
             case "signal-record":
                 self._switch_record()
+            case "signal-transponder":
+                self.app.push_screen(transponder_question(self.host.view()), self._tune)
+            case "signal-13v":
+                self.app.push_screen(supply_question(self.host.view()), self._supply)
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")

@@ -50,6 +50,8 @@ _A3981, _ADC, _DIPSWITCH, _DVB, _GPIO, _MOT, _PEAK, _STEP = (
 )
 _STREAM = Cost(2, "dvb", _EVERY_S)
 """A line, and what ends it."""
+_CONSTANT = Cost(1, "dvb", 600.0)
+"""What does not change while the dish has power: one look now and then is enough."""
 _WITH_Q = Cost(3, "dvb", _EVERY_S)
 """A `q` in a line: the console makes sure first that it is in a submenu."""
 _FROM_0 = Range(0.0, math.inf)
@@ -82,6 +84,11 @@ def supplied(dish: CarryoutG2Protocol) -> dict[str, Value]:
     """Feed the LNB with 13 V."""
     dish.enable_lna()
     return {ENABLE_LNA: True}
+
+
+def channel_of(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    """Return what the tuner is tuned to (`dis`)."""
+    return dish.tuner.channel()
 
 
 def tuned(dish: CarryoutG2Protocol, transponder: int) -> dict[str, Value]:
@@ -165,15 +172,17 @@ _TV_SEARCH = FeatureRow(
 _TRANSPONDER = FeatureRow(
     Feature(
         TRANSPONDER, "Transponder that the tuner listens to", range=Range(1.0, 32.0), writer=Writer.UNTIL_RESTART,
-        cost=Cost(1, "dvb"), told=False,
+        cost=_DVB, note="Odd ones are vertical, at 13 V, even ones horizontal, at 18 V.",
     ),
-    write=lambda dish, number: tuned(dish, int(number)),
+    channel_of,
+    lambda dish, number: tuned(dish, int(number)),
 )  # fmt: skip
 _LNA = FeatureRow(
     Feature(
         ENABLE_LNA, "Supply of 13 V for the LNB", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE,
-        hazard="This switches the LNB supply from 18 V to 13 V: the polarisation changes. Anything else on that cable "
-        "may be damaged.", cost=Cost(1, "dvb"),
+        hazard="This switches the LNB supply from 18 V to 13 V: the polarisation becomes vertical. No command back to "
+        "18 V is known; a power cycle of the dish brings it back. Anything else on that cable may be damaged.",
+        cost=Cost(1, "dvb"),
     ),
     write=lambda dish, _value: supplied(dish),
 )  # fmt: skip
@@ -197,12 +206,12 @@ _SIGNAL = (
     _one(_ADC, lambda dish: dish.adc.rssi_counts(), _counts("raw_rssi", "Raw level before the tuner")),
 )  # fmt: skip
 _TUNER = (
-    *_told(_DVB, lambda dish: dish.tuner.channel(),
+    *_told(_DVB, channel_of,
            Feature("frequency", "Frequency behind the LNB", "MHz"), Feature("symbol_rate", "Symbol rate", "ksps"),
            _text("polarisation", "Polarisation (H or V)"), _lines("channel", "Parameters of the channel, as printed")),
     _printed(_WITH_Q, lambda dish: dish.tuner.frequencies(), "frequencies", "Frequencies of the tuner, as printed"),
     _printed(_DVB, lambda dish: dish.tuner.statistics(), "tuner_statistics", "Statistics of reads, as printed"),
-    *_told(_DVB, lambda dish: dish.tuner.identity(),
+    *_told(_CONSTANT, lambda dish: dish.tuner.identity(),
            _text("tuner_chip", "Chip of the tuner"), _text("tuner_revision", "Revision of the tuner"),
            _text("tuner_firmware", "Firmware of the tuner"), _text("tuner_strap", "Strap of the tuner"),
            _lines("tuner", "Versions of the tuner, as printed")),

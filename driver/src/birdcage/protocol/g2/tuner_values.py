@@ -55,6 +55,7 @@ _CONFIG: Fields = {
     "tuner_strap": (_named(r"\bstrap\w*\s*[:=]?\s*(0x[0-9A-F]+)"), lambda match: match[1]),
 }  # fmt: skip
 _DIS: Fields = {
+    "transponder": (_named(r"\btransponder\s*[:=]?\s*(\d+)"), _whole),
     "frequency": (re.compile(rf"\bfreq\w*[^\n\d]*({NUMBER})\s*([kMG])Hz", re.IGNORECASE), _scaled),
     "symbol_rate": (
         re.compile(rf"\bsym\w*[^\n\d]*({NUMBER})\s*([kM])(?:sps|sym/s|S/s|Bd|baud)", re.IGNORECASE),
@@ -105,7 +106,7 @@ def read_identity(lines: tuple[str, ...]) -> dict[str, Value]:
 
 
 def read_channel(lines: tuple[str, ...]) -> dict[str, Value]:
-    """Read `dis`: `frequency` in MHz, `symbol_rate` in ksps, `polarisation`, `H` (18 V) or `V` (13 V).
+    """Read `dis`: `transponder`, `frequency` in MHz, `symbol_rate` in ksps, `polarisation`, `H` (18 V) or `V` (13 V).
 
     A number whose unit is not printed is left out.
     """

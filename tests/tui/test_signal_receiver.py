@@ -1,0 +1,193 @@
+"""F3: what the dish's own receiver tells, and what it lets be set."""
+
+from __future__ import annotations
+
+import asyncio
+from dataclasses import replace
+from types import MappingProxyType, SimpleNamespace
+
+import pytest
+import stage
+import stand_in
+from birdcage.rotator.feature import Reading
+from birdcage.station.converter import FeedConverter
+from birdcage.station.requests import Read, Set
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.signal.receiver import ReceiverPane
+from test_demo import stage_of_the_pictures
+from textual.widgets import Static
+
+SIZES = [(80, 24), (120, 36), (160, 48)]
+TOLD = {
+    "lock": True, "snr": (9.1, "dB"), "network": "0x1004", "rf_agc": (1412.0, "counts"), "if_agc": (1206.0, "counts"),
+    "raw_rssi": (235.0, "counts"), "transponder": 15.0, "frequency": (1178.12, "MHz"), "symbol_rate": (20000.0, "ksps"),
+    "polarisation": "V", "lnb_supply": (13.1, "V"), "tuner_chip": "0x4515",
+}  # fmt: skip
+STOCK = FeedConverter(11.25e9)
+
+
+def rows(size, *, age_s=5.0, converter=STOCK, name="idle", **values):
+    """Return the rows of the pane with what was told, so long ago."""
+
+    async def look(app, pilot):
+        now, utc = app.session.clock.monotonic(), app.session.clock.utc()
+        readings = dict(app.station.state.readings)
+        for each, value in (TOLD | values).items():
+            if value is not None:
+                told, unit = value if isinstance(value, tuple) else (value, "")
+                readings[each] = Reading(told, unit, now - age_s, utc)
+        app.station.state = replace(app.station.state, readings=MappingProxyType(readings), converter=converter)
+        app.paint()
+        await pilot.pause()
+        pane = app.query_one(ReceiverPane)
+        region = pane.content_region
+        lines = stand_in.text_of(app).splitlines()[region.y : region.bottom]
+        return [line[region.x : region.right].rstrip() for line in lines]
+
+    return stage.run(look, name, size, key="f3")
+
+
+@pytest.mark.parametrize("size", SIZES[1:], ids=str)
+def test_where_there_is_room_all_of_it_stands_in_three_rows_by_subject(size):
+    found = [" ".join(row.split()) for row in rows(size)]
+    assert found == [
+        "lock yes SNR 9.1 dB network 0x1004 AGC RF/IF 1412/1206 ADC 235 counts",
+        "transponder 15 RF 12428.1 MHz IF 1178.1 MHz symbols 20000 ksps wants vertical",
+        "LNB 13.1 V vertical chip 0x4515",
+    ]
+
+
+def test_on_a_small_screen_what_counts_comes_first_and_nothing_is_cut():
+    found = [" ".join(row.split()) for row in rows((80, 24))]
+    assert found == [
+        "lock yes SNR 9.1 dB network 0x1004 LNB 13.1 V vertical transponder 15",
+        "RF 12428.1 MHz AGC RF/IF 1412/1206 IF 1178.1 MHz wants vertical",
+    ]
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_what_was_not_told_is_a_dash(size):
+    text = " ".join(" ".join(rows(size, transponder=None, frequency=None, rf_agc=None, lnb_supply=None)).split())
+    for words in ("transponder -", "RF -", "IF -", "AGC RF/IF -/1206", "LNB -"):
+        assert words in text, words
+
+
+def test_the_frequency_in_the_sky_needs_the_lo_of_the_feed():
+    assert "RF - IF 1178.1 MHz" in " ".join(" ".join(rows((120, 36), converter=None)).split())
+    above = " ".join(" ".join(rows((120, 36), converter=FeedConverter(13.6e9, high_side=True))).split())
+    assert "RF 12421.9 MHz" in above
+
+
+@pytest.mark.parametrize(("volts", "said"), [
+    (18.2, "LNB 18.2 V horizontal"), (13.0, "LNB 13 V vertical"), (0.4, "LNB 0.4 V chip"), (15.6, "LNB 15.6 V chip"),
+])  # fmt: skip
+def test_the_supply_says_which_polarisation_it_means_and_none_in_between(volts, said):
+    assert said in " ".join(" ".join(rows((120, 36), lnb_supply=(volts, "V"))).split())
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_what_is_old_shows_its_age_where_there_is_room(size):
+    found = rows(size, age_s=200.0)
+    assert any("(3m old)" in row for row in found) is (size != (80, 24))
+    assert "chip 0x4515 (" not in " ".join(found)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_every_row_ends_inside_the_pane(size):
+    for row in rows(size, age_s=200.0):
+        assert len(row) < size[0] - 2, row
+
+
+def test_a_supply_of_the_other_polarisation_is_marked_and_the_right_one_is_not():
+    assert "wants vertical ▲" in " ".join(rows((120, 36), lnb_supply=(18.1, "V")))
+    assert "▲" not in " ".join(rows((120, 36)))
+    assert "▲" not in " ".join(rows((120, 36), lnb_supply=(15.6, "V"))), "neither voltage says nothing"
+
+
+def test_a_machine_without_a_receiver_says_so():
+    assert rows((120, 36), name="travler-slew")[0].strip() == "This dish has no receiver of its own."
+
+
+def asked(*keys, name="idle", size=(120, 36), **state):
+    """Return what the station was asked after these keys, what is seen, and why the commands are refused."""
+
+    async def press(app, pilot):
+        for key in keys:
+            await pilot.press(key)
+            await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        dialog = app.screen if len(app.screen_stack) > 1 else None
+        words = "" if dialog is None else " ".join(str(each.render()) for each in dialog.query(Static))
+        text = stand_in.text_of(app)
+        refused = [BY_NAME[each].refused(app.view()) for each in ("signal-transponder", "signal-13v")]
+        return SimpleNamespace(
+            sets=app.station.asked_for(Set), reads=app.station.asked_for(Read), text=text, refused=refused,
+            dialog=" ".join(words.split()),
+        )  # fmt: skip
+
+    return stage.run(press, name, size, key="f3", state=state)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_13_volts_are_asked_about_with_their_consequence_and_only_y_sends_them(size):
+    question = asked("V", size=size)
+    assert "No command back to 18 V is known; a power cycle of the dish brings it back." in question.dialog
+    assert "Supply now: not read yet." in question.dialog
+    assert question.sets == []
+    assert asked("V", "enter", size=size).sets == []
+    agreed = asked("V", "y", size=size)
+    assert agreed.sets == [Set("enable_lna", True, "you", agreed=True)]
+    assert "lnb_supply" in agreed.reads[-1].features
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_transponder_is_typed_within_its_range(size):
+    question = asked("n", size=size)
+    assert "What it is tuned to is not known." in question.dialog
+    assert "Odd ones are vertical, at 13 V, even ones horizontal, at 18 V." in question.dialog
+    tuned = asked("n", "7", "enter", size=size)
+    assert tuned.sets == [Set("transponder", 7.0, "you")]
+    assert {"transponder", "frequency", "lnb_supply"} <= set(tuned.reads[-1].features)
+    assert "Tuning to transponder 7." in tuned.text
+
+
+@pytest.mark.parametrize(("typed", "said"), [("33", "Give 1 to 32."), ("0", "Give 1 to 32."), ("a", "Type 1 to 32.")])
+def test_a_number_that_there_is_not_is_refused_and_nothing_is_sent(typed, said):
+    refused = asked("n", *typed, "enter")
+    assert refused.sets == []
+    assert said in refused.dialog
+
+
+@pytest.mark.parametrize(("name", "state", "said"), [
+    ("travler", {}, "The Trav'ler has no "), ("lost", {}, "The dish does not answer."),
+    ("held", {}, "STOP is latched. Enter releases it."), ("idle", {"holder": "Gpredict"}, "Gpredict has control."),
+])  # fmt: skip
+def test_where_neither_can_be_set_both_are_refused_with_the_reason(name, state, said):
+    for key in ("n", "V"):
+        pressed = asked(key, name=name, **state)
+        assert (pressed.sets, pressed.dialog) == ([], "")
+        assert all(reason.startswith(said) for reason in pressed.refused), pressed.refused
+
+
+def test_in_the_demo_the_tuner_is_tuned_and_the_lnb_has_13_volts_afterwards():
+    """The real page, the real station, the simulated dish: what goes out, and what is shown then."""
+    pictures = stage_of_the_pictures()
+
+    async def play():
+        async with pictures.demo((120, 36)) as on:
+            await on.wait(9)
+            await on.press("f3", "right")
+            await on.wait(6)
+            await on.press("n", "8", "enter")
+            await on.wait(4)
+            tuned = on.text()
+            await on.press("V", "y")
+            await on.wait(4)
+            return tuned, on.text(), dict(on.app.station.state.readings)
+
+    tuned, fed, readings = asyncio.run(play())
+    assert "transponder 8" in tuned
+    assert "IF 1076.1 MHz" in " ".join(tuned.split())
+    assert "wants horizontal ▲" in " ".join(fed.split())
+    assert readings["lnb_supply"].value == pytest.approx(13.0, abs=0.3)
