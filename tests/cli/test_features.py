@@ -198,3 +198,15 @@ def test_what_can_only_be_set_is_shown_as_that(run, monkeypatch):
     asked = run("get", "lamp")
     assert (asked.exit_code, asked.stdout) == (1, "")
     assert "has no feature lamp that can be read. Nothing was sent." in asked.stderr
+
+
+def test_what_reading_itself_changes_is_asked_about_and_yes_agrees(run, as_json):
+    refused = run("get", "even_level", "--port", "sim:g2?seed=1", "--firmware", "g2")
+    assert refused.exit_code == 2
+    assert "switches the LNB supply to 18 V and to 13 V" in refused.stderr
+    assert "Give --yes" in refused.stderr
+    told = as_json(
+        run("get", "even_level", "odd_level", "--yes", "--json", "--port", "sim:g2?seed=1", "--firmware", "g2")
+    )
+    assert set(told["readings"]) == {"even_level", "odd_level"}
+    assert None not in told["readings"].values()

@@ -206,3 +206,14 @@ def test_what_was_read_before_something_was_set_is_read_again(bench):
     since = len(bench.lines())
     bench.do(Read(("frequency", "transponder")))
     assert bench.lines()[since:] == [], "both are fresh"
+
+
+def test_what_reading_itself_changes_needs_consent_before_anything_is_sent(bench):
+    since = len(bench.lines())
+    with pytest.raises(ConfirmationNeeded, match="switches the LNB supply"):
+        bench.do(Read(("lock", "odd_level")))
+    assert {"dvb", "peak", "rssits", "ls"}.isdisjoint(bench.lines()[since:])
+    told = bench.do(Read(("even_level", "odd_level"), agreed=True))
+    assert bench.lines()[since:].count("rssits") == 1
+    assert told["even_level"].value == pytest.approx(489, abs=5)
+    assert told["odd_level"].value == pytest.approx(235, abs=5)

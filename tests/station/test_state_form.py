@@ -68,7 +68,7 @@ def a_day(bench) -> None:
     bench.step(10.0)
     bench.watch("position", "health")
     bench.do(Goto(180.0, 45.0, "you"), 200)
-    readable = [each.id for each in bench.state.dish.features.values() if each.is_readable]
+    readable = [each.id for each in bench.state.dish.features.values() if each.is_readable and not each.read_hazard]
     if readable:
         bench.do(Read(tuple(readable[:5])))
     bench.station.submit(Goto(250.0, 50.0, "you"))

@@ -78,6 +78,20 @@ def test_all_that_is_watched_has_its_turn(steady):
     assert sent.count("config") == 1, "the chip stays what it is"
 
 
+def test_both_polarisations_are_heard_only_where_somebody_has_agreed(steady):
+    both = frozenset({"even_level", "odd_level"})
+    steady.station.submit(Watch("page", both))
+    assert "rssits" not in [line for _at, line in lines_of(steady, 20)]
+    steady.station.submit(Watch("page", both, agreed=True))
+    sent = lines_of(steady, 40)
+    toggled = [at for at, line in sent if line == "rssits"]
+    assert 6 <= len(toggled) <= 8
+    assert min(later - earlier for earlier, later in pairwise(toggled)) > 5.0
+    assert len([1 for _at, line in sent if line.startswith("rssi ")]) > 40 * 5, "and the signal is read on"
+    steady.station.submit(Unwatch("page"))
+    assert "rssits" not in [line for _at, line in lines_of(steady, 20)]
+
+
 def test_a_step_by_hand_goes_out_at_once_and_it_is_read_again_where_the_dish_has_come_to_rest(steady):
     before = steady.clock.monotonic()
     az_deg = steady.state.position.az_deg

@@ -127,6 +127,7 @@ PLACES = (
     _dialog("step-track", "SignalPage._find", "f3", "f", "down", "enter", **FIELDS),
     _dialog("on-off", "SignalPage._find", "f3", "f", "down", "down", "enter", **FIELDS),
     _dialog("transponder", "SignalPage.do", "f3", "n", **FIELDS),
+    _dialog("both polarisations", "SignalPage.do", "f3", "b"),
     _dialog("13 V for the LNB", "SignalPage.do", "f3", "V"),
     _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
     _dialog("forget all peaks", "CalibratePage._ask_begin", "f8", "C", "X"),

@@ -11,8 +11,10 @@ import stage
 import stand_in
 from birdcage.rotator.feature import Reading
 from birdcage.station.converter import FeedConverter
-from birdcage.station.requests import Read, Set
+from birdcage.station.events import ReadingRead
+from birdcage.station.requests import Read, Set, Watch
 from birdcage_tui.commands import BY_NAME
+from birdcage_tui.signal.polarisations import PolarisationPane
 from birdcage_tui.signal.receiver import ReceiverPane
 from test_demo import stage_of_the_pictures
 from textual.widgets import Static
@@ -168,6 +170,64 @@ def test_where_neither_can_be_set_both_are_refused_with_the_reason(name, state, 
         pressed = asked(key, name=name, **state)
         assert (pressed.sets, pressed.dialog) == ([], "")
         assert all(reason.startswith(said) for reason in pressed.refused), pressed.refused
+
+
+BOTH = {"even_level", "odd_level"}
+
+
+def watched(*keys, size=(120, 36), name="idle"):
+    """Return which watches asked for both polarisations after these keys, and whether they were agreed to."""
+
+    async def press(app, pilot):
+        for key in keys:
+            await pilot.press(key)
+            await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        asked_for = [(set(each.features) >= BOTH, each.agreed) for each in app.station.asked_for(Watch)]
+        return asked_for, stand_in.text_of(app), app.query_one(PolarisationPane).region, app.screen.region
+
+    return stage.run(press, name, size, key="f3")
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_both_polarisations_are_read_only_after_a_yes_and_while_they_are_shown(size):
+    question = asked("b", size=size).dialog
+    assert "Each reading switches the LNB supply to 18 V and to 13 V." in question
+    assert "Which of them stays afterwards is not known." in question
+    assert not any(both or agreed for both, agreed in watched("b", "enter", size=size)[0])
+    asked_for, text, region, screen = watched("b", "y", size=size)
+    assert asked_for[-1] == (True, True)
+    assert screen.contains_region(region)
+    assert "not read yet" in text
+    assert watched("b", "y", "v", size=size)[0][-1] == (False, False)
+
+
+def test_other_views_never_come_to_it():
+    assert not any(both for both, _agreed in watched("v", "v", "v", "v")[0])
+
+
+def test_a_dish_without_that_command_says_so():
+    asked_for, text, _region, _screen = watched("b", name="travler")
+    assert "has no command that hears both polarisations" in text
+    assert not any(both for both, _agreed in asked_for)
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_either_is_shown_with_unit_and_age_inside_the_pane(size):
+    async def look(app, pilot):
+        await pilot.press("b", "y")
+        now, utc = app.session.clock.monotonic(), app.session.clock.utc()
+        for age_s, even, odd in ((20.0, 489.0, 235.0), (3.0, 612.0, 240.0)):
+            for name, value in (("even_level", even), ("odd_level", odd)):
+                app.signals.polarisations.take(ReadingRead(now - age_s, utc, name, value, "counts"))
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = stage.run(look, "idle", size, key="f3")
+    for words in ("612 counts", "240 counts", "3.0s old", "(18 V, horizontal)", "(13 V, vertical)"):
+        assert words in text, words
 
 
 def test_in_the_demo_the_tuner_is_tuned_and_the_lnb_has_13_volts_afterwards():

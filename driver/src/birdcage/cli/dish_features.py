@@ -43,11 +43,15 @@ def list_features(dish: Wanted) -> dict[str, Any]:
     return {"port": dish.port, "firmware": dish.firmware, "features": rows}
 
 
-def read_features(dish: Wanted, ids: tuple[str, ...]) -> dict[str, Any]:
-    """Return readings by id, as `feature_report.reading_values`, with the port."""
+def read_features(dish: Wanted, ids: tuple[str, ...], *, agreed: bool = False) -> dict[str, Any]:
+    """Return readings by id, as `feature_report.reading_values`, with the port.
+
+    `agreed`: a person was told what reading does (`read_hazard`). ConfirmationNeeded where one has to be.
+    """
     from birdcage.station.requests import Read
 
-    return _ask_owner(dish, Read(ids), ids, "birdcage get") or _ask(dish, Read(ids), ids)
+    request = Read(ids, agreed=agreed)
+    return _ask_owner(dish, request, ids, "birdcage get") or _ask(dish, request, ids)
 
 
 def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:

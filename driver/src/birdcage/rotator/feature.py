@@ -19,6 +19,8 @@ LOCK, SNR, NETWORK = "lock", "snr", "network"
 """Whether that tuner has locked, its signal-to-noise ratio in dB, and whose transponder it hears."""
 TRANSPONDER = "transponder"
 """Which channel of its list the tuner is set to."""
+EVEN_LEVEL, ODD_LEVEL = "even_level", "odd_level"
+"""The signal strength of the channels of either polarisation, where the machine hears both in turn."""
 NO_NETWORK = "none"
 """The value of `NETWORK` where none is heard."""
 VERSION = "version"
@@ -139,6 +141,8 @@ class Feature:
     """How it tells how well the machine is; None for what does not."""
     note: str = ""
     """What a person should know who writes it, in sentences."""
+    read_hazard: str = ""
+    """The consequence of reading it, which a person has to agree to; empty for what only tells."""
 
     @property
     def is_readable(self) -> bool:

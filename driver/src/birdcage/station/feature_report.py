@@ -25,7 +25,7 @@ def feature_values(feature: Feature) -> Values:
         "low": limits.low if math.isfinite(limits.low) else None,
         "high": limits.high if math.isfinite(limits.high) else None,
         "writer": feature.writer.value, "told": feature.is_readable, "hazard": feature.hazard or None,
-        "note": feature.note or None,
+        "note": feature.note or None, "read_hazard": feature.read_hazard or None,
         "cost": {
             "lines": cost.lines, "menu": cost.menu, "min_interval_s": cost.min_interval_s,
             "while_moving": cost.while_moving,

@@ -25,14 +25,17 @@ class FeatureHandler:
         self._written_at = -math.inf
         """When a feature was written last: what was read before need not hold any more."""
 
-    def read(self, ids: tuple[str, ...]) -> Mapping[str, Reading]:
+    def read(self, ids: tuple[str, ...], *, agreed: bool = False) -> Mapping[str, Reading]:
         """Ask the machine for some features, and tell all; what it did not tell is left out.
 
         What was read less than its `min_interval_s` ago, and after anything was written, is not asked for again.
         BirdcageError (`moving`) while the machine moves, unless each may be read then; LeaseDenied while a person has
-        its console.
+        its console; ConfirmationNeeded where a person has to agree first.
         """
         features = [self._feature(each, readable=True) for each in ids]
+        hazard = next((each.read_hazard for each in features if each.read_hazard), "")
+        if hazard and not agreed:
+            raise ConfirmationNeeded(f"{hazard} Nothing was sent.")
         readings = {each.id: told for each in features if (told := self._fresh(each)) is not None}
         due = [each for each in features if each.id not in readings]
         if due:

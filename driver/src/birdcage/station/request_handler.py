@@ -99,8 +99,8 @@ class RequestHandler:
                 self._make_way(holder)
                 future.set_result(self._features.set_speed(axis, speed_deg_s, holder))
                 return
-            case ask.Read(features):
-                future.set_result(self._features.read(features))
+            case ask.Read(features, agreed):
+                future.set_result(self._features.read(features, agreed=agreed))
                 return
             case ask.Set():
                 future.set_result(self._features.set(request))

@@ -226,6 +226,8 @@ class Read:
     """
 
     features: tuple[str, ...]
+    agreed: bool = False
+    """Whether a person was told what reading them does (`read_hazard`), and agreed. Else ConfirmationNeeded."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -341,6 +343,8 @@ class Watch:
     rate_hz: float = 1.0
     steady: bool = False
     """Whether the console stays in the signal's menu while the dish rests, and leaves it for a position a second."""
+    agreed: bool = False
+    """Whether a person has agreed to what reading does (`read_hazard`): else a feature that has such is not read."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -101,12 +101,16 @@ class Watches:
     def _period_s(self, feature: Feature) -> float | None:
         if feature.id == RSSI:
             return RSSI_PERIOD_S if any(RSSI in watch.features for watch in self._watchers.values()) else None
-        if feature.cost.lines > MOST_LINES:
+        if feature.cost.lines > MOST_LINES or (feature.read_hazard and not self._is_agreed(feature.id)):
             return None
         asked = [self.period_s(feature.id, feature.cost.min_interval_s)]
         if feature.health is not None:
             asked.append(self.period_s(HEALTH, max(feature.health.every_s, feature.cost.min_interval_s)))
         return min((period_s for period_s in asked if period_s is not None), default=None)
+
+    def _is_agreed(self, feature: str) -> bool:
+        """Whether somebody who watches a feature has agreed to what reading it does."""
+        return any(feature in watch.features and watch.agreed for watch in self._watchers.values())
 
     def due(self, feature: str, period_s: float) -> float:
         """Return when a feature is to be asked for next, as far as its own period goes; minus infinite at first."""

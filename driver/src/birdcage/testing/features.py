@@ -101,7 +101,7 @@ class FeatureContract:
             before = stage.truth
             for each in stage.facts.features.values():
                 if each.is_readable:
-                    readings = stage.do(Read((each.id,)))
+                    readings = stage.do(Read((each.id,), agreed=True))
                     require(each.id in readings, f"{each.id} was not told by the twin")
                     self._is_sound(each, readings[each.id])
             require(stage.truth == before and not stage.twin.taken(), "reading has moved it")
@@ -204,7 +204,9 @@ class FeatureContract:
             future = stage.station.submit(Goto(*stage.target(*FIRST_DEG), "contract"))
             stage.until(lambda: stage.truth.moving, 30.0, "it moves")
             told = [each for each in stage.facts.features.values() if each.is_readable and not each.cost.while_moving]
-            asked = {each.id: stage.station.submit(Read((each.id,))) for each in told}  # one motion is enough for all
+            asked = {
+                each.id: stage.station.submit(Read((each.id,), agreed=True)) for each in told
+            }  # one motion is enough for all
             stage.until(lambda: all(each.done() for each in asked.values()), STEP_S * 2.0, "each of them was answered")
             for name, each in asked.items():
                 error = each.exception()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.rotator.feature import ENABLE_LNA, TRANSPONDER
+from birdcage.rotator.feature import ENABLE_LNA, EVEN_LEVEL, TRANSPONDER
 from birdcage.station.state import LinkPhase
 
 from birdcage_tui.commands.table import Command
@@ -36,6 +36,16 @@ def can_tune(context: CommandContext) -> str | None:
     return _can_set(context, TRANSPONDER, "tuner that can be tuned")
 
 
+def can_hear_both(context: CommandContext) -> str | None:
+    """Return why the dish's tuner can't hear both polarisations in turn now."""
+    state = context.state
+    if state.dish is None or state.link.state is not LinkPhase.UP:
+        return "The dish does not answer."
+    if EVEN_LEVEL not in state.dish.features:
+        return f"The {state.dish.name} has no command that hears both polarisations."
+    return None
+
+
 RECEIVER = (
     Command(
         "signal-transponder", ("n",), "n", "Transponder …", "Tune the dish's own receiver to a transponder.", "Signal",
@@ -44,5 +54,10 @@ RECEIVER = (
     Command(
         "signal-13v", ("V",), "V", "13 V for the LNB …",
         "Switch the supply of the LNB from 18 V to 13 V, after a question.", "Signal", can_supply, where=WHERE,
+    ),
+    Command(
+        "signal-polarisations", ("b",), "b", "Both polarisations …",
+        "Show horizontal and vertical over time, after a question: each reading switches the LNB's supply.", "Signal",
+        can_hear_both, where=WHERE,
     ),
 )  # fmt: skip

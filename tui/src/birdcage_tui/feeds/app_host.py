@@ -43,6 +43,9 @@ class AppHost(Protocol):
     def paint(self) -> None:
         """Draw a frame."""
 
+    def watch_page(self) -> None:
+        """Have the station read what the page shows now."""
+
     def action_command(self, name: str) -> None:
         """Do a command of the table, or say why not."""
 

@@ -11,8 +11,9 @@ from birdcage.signal.recording import SignalRecorder, row_of
 from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
 from birdcage.station.access import FaceStation
-from birdcage.station.events import Event, TaskChanged
+from birdcage.station.events import Event, ReadingRead, TaskChanged
 
+from birdcage_tui.shown.polarisation_book import PolarisationBook
 from birdcage_tui.shown.signal_book import SignalBook
 from birdcage_tui.shown.source_choice import SourceChoice
 from birdcage_tui.shown.sweep_book import SweepBook
@@ -58,6 +59,7 @@ class SignalFeed:
         self._feed = ""
         self.book = SignalBook()
         self.sweeps = SweepBook()
+        self.polarisations = PolarisationBook()
         self.recorder: SignalRecorder | None = None
         """Keeps what is heard, while a person wants that."""
         self._records = ""
@@ -69,7 +71,7 @@ class SignalFeed:
             self._monitor = SignalMonitor([TunerSource(self._station)], TUNER, self._hear)
         else:
             self._monitor = self._sources.monitor(self._hear)
-        self._unsubscribe = self._station.subscribe(self._on_task, TaskChanged)
+        self._unsubscribe = self._station.subscribe(self._on_event, TaskChanged, ReadingRead)
         self.book.chosen = self._monitor.chosen.facts
         self._feed = self._station.state.feed_name
 
@@ -128,9 +130,11 @@ class SignalFeed:
             monitor.choose(self._sources.chosen_now())
             self.book.choose(monitor.chosen.facts)
 
-    def _on_task(self, event: Event) -> None:
+    def _on_event(self, event: Event) -> None:
         if isinstance(event, TaskChanged):
             self._soon(lambda: self.sweeps.take(event.task))
+        elif isinstance(event, ReadingRead) and self.polarisations.wants(event.feature):
+            self._soon(lambda: self.polarisations.take(event))
 
     def _hear(self, reading: SignalReading) -> None:
         self._soon(lambda: self._take(reading))

@@ -33,6 +33,8 @@ from birdcage_tui.signal.find import (
 )
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
+from birdcage_tui.signal.polarisations import FEATURES as POLARISED
+from birdcage_tui.signal.polarisations import PolarisationPane, polarisations_question
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
 from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
@@ -46,7 +48,7 @@ from birdcage_tui.widgets.pane import Pane
 UPPER, UPPER_TALL = 9, 13
 """Rows of level and way to the peak, and where there is room for larger digits."""
 TALL = 30
-VIEWS: tuple[type[Pane], ...] = (SignalPane, SweepPane, WaterfallPane)
+VIEWS: tuple[type[Pane], ...] = (SignalPane, SweepPane, WaterfallPane, PolarisationPane)
 """What stands below, one at a time."""
 
 
@@ -58,14 +60,15 @@ class SignalPage(Page):
     SignalPage SignalHead { height: 1; }
     SignalPage #signal-upper { height: 9; }
     SignalPage LevelPane, SignalPage #signal-peak, SignalPage SignalPane, SignalPage SweepPane,
-    SignalPage WaterfallPane, SignalPage ReceiverPane {
+    SignalPage WaterfallPane, SignalPage PolarisationPane, SignalPage ReceiverPane {
         border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim;
         width: 1fr; }
     SignalPage #signal-peak Pane { width: 1fr; }
     SignalPage ToPeakPane { height: 1fr; }
     SignalPage JogPane { height: 1; }
-    SignalPage SignalPane, SignalPage SweepPane, SignalPage WaterfallPane { height: 1fr; }
-    SignalPage SweepPane, SignalPage WaterfallPane { display: none; }
+    SignalPage SignalPane, SignalPage SweepPane, SignalPage WaterfallPane,
+    SignalPage PolarisationPane { height: 1fr; }
+    SignalPage SweepPane, SignalPage WaterfallPane, SignalPage PolarisationPane { display: none; }
     SignalPage ReceiverPane { height: 4; }
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
@@ -87,6 +90,7 @@ class SignalPage(Page):
         yield SignalPane(id="signal-strip")
         yield SweepPane(id="signal-sweep")
         yield WaterfallPane(id="signal-waterfall")
+        yield PolarisationPane(id="signal-polarisations")
         yield ReceiverPane(id="receiver")
 
     _view: type[Pane] = SignalPane
@@ -184,14 +188,18 @@ class SignalPage(Page):
     def _next_view(self) -> type[Pane]:
         """What stands below after this one: a waterfall only where the source tells spectra."""
         following = VIEWS[(VIEWS.index(self._view) + 1) % len(VIEWS)]
+        if following is PolarisationPane:  # only where a person has agreed to it
+            following = SignalPane
         return SignalPane if following is WaterfallPane and not self.host.view().spectra else following
 
     def _show_view(self, kind: type[Pane]) -> None:
         """Show it in place of the others."""
         self._view = kind
+        self.agreed = kind is PolarisationPane
         for each in VIEWS:
             self.query_one(each).display = each is kind
         self._give_room()
+        self.host.watch_page()
         self.host.paint()
 
     def _give_room(self) -> None:
@@ -215,6 +223,16 @@ class SignalPage(Page):
     def _supply(self, agreed: bool | None) -> None:
         if agreed:
             supply_13_volts(self.host)
+
+    @property
+    def watches(self) -> frozenset[str]:
+        """What the page reads anyway, and both polarisations while a person has them shown."""
+        return self.WATCHES | frozenset(POLARISED) if self.agreed else self.WATCHES
+
+    def _hear_both(self, agreed: bool | None) -> None:
+        if agreed:
+            self._show_view(PolarisationPane)
+            self.host.say("Reading both polarisations. v shows another view, and ends it.")
 
     def _hear_by(self, source: str | None) -> None:
         if source is None:
@@ -246,6 +264,8 @@ class SignalPage(Page):
                 self._switch_record()
             case "signal-transponder":
                 self.app.push_screen(transponder_question(self.host.view()), self._tune)
+            case "signal-polarisations":
+                self.app.push_screen(polarisations_question(self.host.view()), self._hear_both)
             case "signal-13v":
                 self.app.push_screen(supply_question(self.host.view()), self._supply)
             case "signal-forget":

@@ -280,6 +280,10 @@ class BirdcageApp(App[None]):
         assert page is not None, "the first page is composed with the app"
         return page
 
+    def watch_page(self) -> None:
+        """Have the station read what the page that is seen shows now."""
+        self.stage.watch()
+
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
         self.stage.typing_changed()

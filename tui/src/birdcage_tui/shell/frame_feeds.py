@@ -113,6 +113,7 @@ class FrameFeeds:
             recorded=self.signals.recorded,
             spectra=tuple(self.signals.book.spectra),
             sweeps=self.signals.sweeps.shown,
+            polarisations=self.signals.polarisations.levels,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,
             calibrate=self.calibrate.now,

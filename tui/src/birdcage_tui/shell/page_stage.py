@@ -82,7 +82,7 @@ class PageStage:
         """Ask the station to read what the visible page shows, and nothing else."""
         page, station = self.seen(), self._host.station
         typing = self.sheet is not None and self.sheet.typing
-        features = self._host.signals.watch(page.WATCHES if page is not None else frozenset(), typing=typing)
+        features = self._host.signals.watch(page.watches if page is not None else frozenset(), typing=typing)
         features = features & {"position"} if typing else features  # the rest would change the menu meanwhile
         wanted = page.id if page is not None and features else None
         if (wanted, features) == (self._watching, self._features):
@@ -90,7 +90,7 @@ class PageStage:
         if self._watching not in (None, wanted):
             station.submit(Unwatch(self._watching))
         if wanted is not None and page is not None:
-            station.submit(Watch(wanted, features, page.RATE_HZ))
+            station.submit(Watch(wanted, features, page.RATE_HZ, agreed=page.agreed))
         self._watching, self._features = wanted, features
 
     def typing_changed(self) -> None:

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from birdcage.station.pursuit_state import PointingSample
 
     from birdcage_tui.shown.calibration import CalibrateNow
+    from birdcage_tui.shown.polarisation_book import Levels
     from birdcage_tui.shown.sky_picture import SkyPicture
     from birdcage_tui.shown.sweep_book import SweepShown
 
@@ -120,6 +121,8 @@ class View:
     """What was heard, by a source that tells spectra; the newest last."""
     sweeps: Sequence[SweepShown] = ()
     """Those of this session, the newest last."""
+    polarisations: Levels = field(default_factory=dict)
+    """What the dish's own tuner heard of either polarisation, in turn."""
     signal_trouble: str = ""
     """Why the source of the mounted feed tells nothing, in sentences."""
     trips: Sequence[Trip] = ()

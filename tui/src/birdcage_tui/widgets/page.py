@@ -18,6 +18,8 @@ class Page(Container):
     WATCHES: frozenset[str] = frozenset({"position"})
     """The status line shows the position on every page."""
     RATE_HZ = 1.0
+    agreed = False
+    """Whether a person has agreed to what reading what is watched does to the dish (`Feature.read_hazard`)."""
     FIRST_FOCUS: str | None = None
     """The selector of what has the focus on arrival; never a text field. None: nothing has."""
 
@@ -25,6 +27,11 @@ class Page(Container):
         super().__init__(id=id)
         self.scope = (id or "").removeprefix("page-")
         """The page's name, which its commands have in `where`."""
+
+    @property
+    def watches(self) -> frozenset[str]:
+        """What the station should read now: `WATCHES`, and what a page adds for what it shows."""
+        return self.WATCHES
 
     @property
     def host(self) -> AppHost:

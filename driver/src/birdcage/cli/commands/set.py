@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 import click
@@ -27,7 +26,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
     first. Nothing is set while the dish moves. If another birdcage program has the port, that one sets it.
     """
     from birdcage.base.errors import CommandRefused
-    from birdcage.cli.commands.get import lines_of
+    from birdcage.cli.commands.get import confirm, lines_of
     from birdcage.cli.dish_features import list_features, set_feature
     from birdcage.cli.say import tell, tell_json
 
@@ -43,7 +42,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
         )
     meant = _value(row, value)
     if row["hazard"]:
-        _confirm(row["hazard"], yes)
+        confirm(row["hazard"], yes, "Set it?")
     told = set_feature(dish, name, meant)
     if flags().json:
         tell_json(told)
@@ -74,12 +73,3 @@ def _value(row: dict[str, Any], text: str | None) -> bool | float | str:
         return float(text)
     except ValueError:
         raise click.UsageError(f"{row['id']} is {text!r}. Give a number, in {row['unit'] or 'no unit'}.") from None
-
-
-def _confirm(hazard: str, yes: bool) -> None:
-    click.echo(hazard, err=True)
-    if yes:
-        return
-    if not sys.stdin.isatty():
-        raise click.UsageError("Give --yes to do it.")
-    click.confirm("Set it?", abort=True, err=True)

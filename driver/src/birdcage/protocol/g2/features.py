@@ -20,8 +20,10 @@ from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION,
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import (
     ENABLE_LNA,
+    EVEN_LEVEL,
     LOCK,
     NETWORK,
+    ODD_LEVEL,
     RSSI,
     SETTINGS,
     SNR,
@@ -55,6 +57,10 @@ _CONSTANT = Cost(1, "dvb", 600.0)
 _WITH_Q = Cost(3, "dvb", _EVERY_S)
 """A `q` in a line: the console makes sure first that it is in a submenu."""
 _FROM_0 = Range(0.0, math.inf)
+_TOGGLES = (
+    "Each reading switches the LNB supply to 18 V and to 13 V. Which of them stays afterwards is not known. Anything "
+    "else on that cable may be damaged."
+)
 _SEARCH_HAZARD = (
     "This saves NVS 20 in the dish's flash memory, after a backup of all its settings, and counts from the next "
     "power-up on. Off: it no longer homes by itself then, so home it at each power-up. On: it homes and searches then: "
@@ -133,6 +139,16 @@ def _counts(name: str, label: str) -> Feature:
 
 def _angle(name: str, label: str) -> Feature:
     return Feature(name, label, "deg", range=Range(-90.0, 90.0))
+
+
+def _polarised(name: str, label: str) -> Feature:
+    return replace(_counts(name, label), read_hazard=_TOGGLES)
+
+
+def _levels(dish: CarryoutG2Protocol) -> dict[str, Value]:
+    """Hear both polarisations in turn (`rssits`), which switches the LNB's supply."""
+    even, odd = dish.peak.rssi()
+    return {EVEN_LEVEL: float(even), ODD_LEVEL: float(odd)}
 
 
 def _each(feature: Feature) -> tuple[Feature, ...]:
@@ -224,6 +240,9 @@ _TUNER = (
          _counts("diseqc_tone_threshold", "DiSEqC threshold of the tone")),
     _one(_PEAK, lambda dish: dish.peak.switch_status(),
          Feature("switch_status", "Bits of an EchoStar switch, 0 for none", range=Range(0.0, 15.0))),
+    *_told(_PEAK, _levels,
+           _polarised(EVEN_LEVEL, "Level of even transponders (18 V, horizontal)"),
+           _polarised(ODD_LEVEL, "Level of odd transponders (13 V, vertical)")),
 )  # fmt: skip
 _MOTORS = (
     *_told(_MOT, lambda dish: dish.motors.states(), *_each(_text("motor", "State of the {} motor"))),
@@ -273,8 +292,8 @@ _SETTINGS = (
 def features_of(azimuth: Axis, elevation: Axis) -> FeatureTable:
     """Return the table of a G2 with these axes.
 
-    Reading any of it changes nothing on the dish. What needs an argument, switches something or keeps the shell for
-    long is a method of its menu (`G2Menus`).
+    Reading any of it changes nothing on the dish, but for what has a `read_hazard`. What needs an argument, switches
+    something else or keeps the shell for long is a method of its menu (`G2Menus`).
     """
     drivers = _told(_A3981, lambda dish: dish.drivers.faults(), _driver(azimuth), _driver(elevation))
     speeds = (_speed(azimuth), _speed(elevation))
