@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import signal
+import threading
 import time
 
 import pytest
@@ -105,6 +106,19 @@ def test_a_lost_cable_in_mid_move_is_a_link_error(run, pty_dish, monkeypatch) ->
     monkeypatch.setattr(MoveShown, "__call__", pull)
     result = run("move", "--az", 200, "--el", 45, port=pty_dish.path)
     assert result.exit_code == 3
+    assert "Traceback" not in result.stderr
+
+
+def test_a_lost_cable_in_mid_sweep_is_a_link_error(run, pty_dish):
+    def pull():
+        pty_dish.wait_for(lambda truth: truth.moving)
+        pty_dish.unplug()
+
+    hand = threading.Thread(target=pull)
+    hand.start()
+    result = run("sweep", "az", "90", "45", port=pty_dish.path)
+    hand.join()
+    assert result.exit_code == 3, result.stderr
     assert "Traceback" not in result.stderr
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import statistics
+import sys
 import threading
 
 import pytest
@@ -117,3 +118,21 @@ def test_what_is_recorded_is_listed_and_printed_as_csv(run, as_json):
     missing = run("recordings", "--csv", 7)
     assert missing.exit_code == 2
     assert "There is no recording 7" in missing.stderr
+
+
+def test_a_source_that_falls_silent_says_why_once_and_is_waited_for(run, tmp_path):
+    mark, script, file = tmp_path / "again", tmp_path / "meter.py", tmp_path / "own.toml"
+    script.write_text(f"""
+import os, time
+if os.path.exists({str(mark)!r}):
+    time.sleep(2.9)
+print(-41.5, flush=True)
+open({str(mark)!r}, "w").close()
+print("device busy", flush=True)
+raise SystemExit(3)
+""")
+    file.write_text(f'[signal.meter]\ncommand = "{sys.executable} {script}"\nevery_s = 0.1\n')
+    result = run("--config", file, "rssi", "--source", "meter", "--count", 2, port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 0, result.stderr
+    assert len(result.stdout.splitlines()) == 2
+    assert result.stderr.count("has ended with exit status 3: device busy. Still waiting.") == 1, result.stderr

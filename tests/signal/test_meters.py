@@ -12,6 +12,7 @@ from birdcage.base.config import Settings
 from birdcage.base.config.signals import PRESETS, SignalProfile
 from birdcage.signal.command_meter import CommandMeter, rtl_power_level
 from birdcage.signal.http_meter import HttpMeter, number_at
+from birdcage.signal.line_splitter import LineSplitter
 from birdcage.signal.meter import MeterError, level_in
 from birdcage.signal.meter_source import MeterSource
 from birdcage.signal.metered import metered_source
@@ -197,7 +198,8 @@ def test_sdrpp_has_no_level_and_it_is_said():
 
 
 def test_a_line_is_a_level_and_what_is_none_is_passed_over():
-    text = "import time\nfor each in ('warming up', '-41.5 dB', 'nan', '-40.5'):\n print(each)\ntime.sleep(9)"
+    text = "import time\nfor each in ('warming up', '-41.5 dB', 'nan', '-40.5'):\n print(each)\n time.sleep(0.05)"
+    text += "\ntime.sleep(9)"
     with opened(CommandMeter(program(text), CLOCK, dwell_s=0.5)) as meter:
         first, second = level(meter), level(meter)
     assert (first.value, second.value, first.dwell_s) == (-41.5, -40.5, 0.5)
@@ -227,6 +229,55 @@ def test_one_that_is_asked_measures_after_the_question():
 def test_a_command_that_is_none_or_dies_says_so(command, words):
     meter = CommandMeter(command, CLOCK)
     assert words in end_of(meter)
+
+
+@pytest.mark.parametrize("line", ["nan", "-inf", "level: -41", "--41", "\\xff\\xfe", "1e999"])
+def test_a_command_whose_lines_hold_no_level_says_what_it_prints(line):
+    text = f"import os, time\nwhile True:\n os.write(1, b'{line}\\n')\n time.sleep(0.02)"
+    said = end_of(CommandMeter(program(text), CLOCK, patience_s=0.5))
+    assert " prints no level, but '" in said
+    assert said.isprintable()
+
+
+def test_one_that_answers_three_times_is_believed_once_for_each_question():
+    text = "import sys\nfor n, _ in enumerate(sys.stdin):\n print(n)\n print(77)\n print(88)"
+    with opened(CommandMeter(program(text), CLOCK, ask_every_s=0.1)) as meter:
+        told = [level(meter) for _ in range(5)]
+    assert [each.value for each in told] == [0, 1, 2, 3, 4], "what was left over answers no later question"
+    assert all(each.dwell_s >= 0.0 for each in told)
+
+
+def test_a_flood_is_thinned_and_its_levels_are_of_now():
+    text = "import sys, time\nwhile True:\n sys.stdout.write(f'{time.monotonic()}\\n' * 1000)"
+    with opened(CommandMeter(program(text), CLOCK)) as meter:
+        level(meter)
+        begun = CLOCK.monotonic()
+        told = [level(meter) for _ in range(30)]
+        assert CLOCK.monotonic() - begun > 30 * 0.009
+        assert max(each.at - each.value for each in told) < 0.5
+    assert len({each.value for each in told}) > 20
+
+
+@pytest.mark.parametrize("piece", ["1", "4 ", "-41.5 dB,"])
+def test_a_line_without_an_end_is_no_level_wherever_it_is_cut(piece):
+    text = f"import sys, time\nwhile True:\n sys.stdout.write({piece!r} * 3000)\n time.sleep(0.001)"
+    with opened(CommandMeter(program(text), CLOCK)) as meter:
+        assert [meter.read(0.2) for _ in range(5)] == [None] * 5
+
+
+def test_lines_are_cut_the_same_however_they_arrive():
+    printed = b"-41.5\n" + b"9" * 9000 + b"\n-40.5\n\xff\x1b[2J\n3"
+    for size in (1, 7, 4096, 20_000):
+        splitter = LineSplitter()
+        lines = [line for at in range(0, len(printed), size) for line in splitter.lines(printed[at : at + size])]
+        assert lines == ["-41.5", "-40.5", "\N{REPLACEMENT CHARACTER}[2J"], size
+        assert list(splitter.rest()) == ["3"]
+
+
+def test_lines_without_a_level_between_levels_are_no_reason_to_end_it():
+    text = "import time\nwhile True:\n print('warming up')\n print(-41.5)\n time.sleep(0.1)"
+    with opened(CommandMeter(program(text), CLOCK, patience_s=0.3)) as meter:
+        assert {level(meter).value for _ in range(8)} == {-41.5}
 
 
 def test_a_command_that_hangs_is_ended_with_what_it_started():

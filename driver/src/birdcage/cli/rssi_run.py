@@ -16,6 +16,7 @@ from birdcage.signal.heard_from import heard_from
 from birdcage.signal.recording import SignalRecorder, row_of
 from birdcage.signal.source_set import SourceSet
 from birdcage.station.requests import Watch
+from birdcage.station.state import LinkPhase
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 HOLDER = "birdcage rssi"
 FIRST_S = 20.0
 """How long the first reading is waited for: a line must be quiet for some seconds before its menu is left."""
+QUIET_S = 3.0
+"""A pause so long between two readings is told, if it is longer than usual."""
 
 
 @dataclass
@@ -107,18 +110,49 @@ def _print(
     dish: StationCommand, monitor: SignalMonitor, told: queue.SimpleQueue[SignalReading], summary: Summary,
     recorder: SignalRecorder | None, *, count: int | None, seconds: float | None, as_json: bool,
 ) -> None:  # fmt: skip
-    begun, source = dish.now, monitor.chosen.facts.id
+    begun, source, quiet = dish.now, monitor.chosen.facts.id, _Quiet(dish, monitor)
     while (count is None or summary.count < count) and not (summary.count and seconds and dish.now >= begun + seconds):
         dish.look()
         while not told.empty() and (count is None or summary.count < count):
             reading = told.get()
             if reading.source == source:
                 begun = begun if summary.count else dish.now  # the seconds are of readings, not of the way to them
+                quiet.hear()
                 _print_one(dish, reading, summary, as_json=as_json)
                 if recorder is not None:
                     recorder.add(row_of(reading, summary.facts, dish.state, dish.now))
-        if not summary.count:
+        if summary.count:
+            quiet.look()
+        else:
             _see_that_it_may_tell(dish, monitor, begun)
+
+
+class _Quiet:
+    """Says once why no reading follows, and waits for the next one."""
+
+    def __init__(self, dish: StationCommand, monitor: SignalMonitor) -> None:
+        self._dish, self._source = dish, monitor.chosen
+        self._heard_at, self._said = dish.now, ""
+
+    def hear(self) -> None:
+        """There is a reading."""
+        self._heard_at, self._said = self._dish.now, ""
+
+    def look(self) -> None:
+        """Say it where that is too long ago, and again where the reason is another one."""
+        facts, link = self._source.facts, self._dish.state.link
+        quiet_s = max(QUIET_S, facts.pause_s)
+        if self._dish.now < self._heard_at + quiet_s:
+            return
+        why = self._source.trouble
+        if facts.of_dish and link.state is not LinkPhase.UP:
+            why = link.detail
+        if facts.of_dish and not why:
+            why = f"The {facts.label} has told nothing for {quiet_s:.0f} s. It is read while the dish rests."
+        if why in ("", self._said):
+            return
+        self._said = why
+        say(f"{self._said} Still waiting.")
 
 
 def _see_that_it_may_tell(dish: StationCommand, monitor: SignalMonitor, begun: float) -> None:

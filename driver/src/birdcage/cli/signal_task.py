@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from birdcage.station.state import Pointing
     from birdcage.station.task_state import TaskState
 
+LINK_TOLD_S = 0.3
+
 
 def ready_dish(dish: StationCommand, source: str, *, named: bool) -> tuple[Pointing | None, float]:
     """Wait for a dish that can be led by this source; return where it points, and the width of its beam or 0.
@@ -87,6 +89,13 @@ def follow_task(
         dish.look(hear)
     dish.progress.clear()
     if not ended[number].is_done:
-        lost = dish.state.link.state is not LinkPhase.UP
-        raise (LinkError if lost else BirdcageError)(ended[number].why)
+        raise (LinkError if _is_lost(dish) else BirdcageError)(ended[number].why)
     return ended[number]
+
+
+def _is_lost(dish: StationCommand) -> bool:
+    """Return whether the link is: that may be told a moment after the end of what it has ended."""
+    until = dish.now + LINK_TOLD_S
+    while dish.state.link.state is LinkPhase.UP and dish.now < until:
+        dish.look()
+    return dish.state.link.state is not LinkPhase.UP

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import io
 import math
 import os
 import queue
@@ -10,15 +11,15 @@ import shlex
 import shutil
 import threading
 from collections.abc import Callable
-from typing import IO
 
 from birdcage.base.clock import Clock
 from birdcage.base.process_group import ProcessGroup
-from birdcage.base.text import clean
+from birdcage.signal.line_splitter import LineSplitter
 from birdcage.signal.meter import MeterError, MeterReading, level_in
 
-LONGEST = 8192
-"""Characters of one line: rtl_power prints some thousands."""
+CHUNK = 65_536
+LEAST_S = 0.01
+"""Levels closer together are not told: a program that prints without end would fill every memory."""
 ENDS_S = 1.0
 MOST_WAITING = 1000
 
@@ -28,11 +29,15 @@ class CommandMeter:
 
     def __init__(
         self, command: str, clock: Clock, *, ask_every_s: float | None = None, dwell_s: float = 0.0,
-        level_of: Callable[[str], float | None] = level_in,
+        level_of: Callable[[str], float | None] = level_in, patience_s: float = math.inf,
     ) -> None:  # fmt: skip
-        """`ask_every_s`: how often it is sent an empty line, None for a program that prints unasked."""
+        """`ask_every_s`: how often it is sent an empty line, None for a program that prints unasked.
+
+        `patience_s`: what prints lines for so long, and no level, is given up with the last of its lines.
+        """
         self._command, self._clock, self._dwell_s, self._level_of = command, clock, dwell_s, level_of
-        self._ask_every_s = ask_every_s
+        self._ask_every_s, self._patience_s = ask_every_s, patience_s
+        self._level_at = 0.0
         self._group: ProcessGroup | None = None
         self._lines: queue.Queue[tuple[str, float] | None] = queue.Queue(MOST_WAITING)
         self._asked_at: float | None = None
@@ -51,6 +56,7 @@ class CommandMeter:
         except OSError as error:
             raise MeterError(f"{words[0]} can't be started ({error.strerror}).") from error
         self._lines, self._asked_at, self._last_words = queue.Queue(MOST_WAITING), None, ""
+        self._level_at = self._clock.monotonic() - LEAST_S
         reading = threading.Thread(target=self._listen, args=(group, self._lines), name="signal lines", daemon=True)
         reading.start()
 
@@ -70,11 +76,17 @@ class CommandMeter:
             value = self._level_of(line)
             if value is None:
                 self._last_words = line.strip() or self._last_words
+                if at > self._level_at + self._patience_s:
+                    raise MeterError(self._puzzle())
                 continue
+            if self._ask_every_s is None and at < self._level_at + LEAST_S:
+                continue
+            self._level_at = at
             if self._ask_every_s is None:
                 return MeterReading(value, at - self._dwell_s / 2.0, self._dwell_s)
-            asked_at, self._asked_at = self._asked_at, None
-            if asked_at is not None:  # else it answers no question of ours
+            asked_at = self._asked_at
+            if asked_at is not None and at >= asked_at:  # else it answers no question of ours
+                self._asked_at = None
                 return MeterReading(value, (asked_at + at) / 2.0, at - asked_at)
         return None
 
@@ -113,14 +125,23 @@ class CommandMeter:
 
     def _listen(self, group: ProcessGroup, lines: queue.Queue[tuple[str, float] | None]) -> None:
         """Put its lines into the queue, with the time at which each was whole; None at the end."""
-        stream: IO[bytes] | None = group.child.stdout
-        assert stream is not None, "it is piped"
+        stream = group.child.stdout
+        assert isinstance(stream, io.BufferedReader), "it is piped"
+        splitter = LineSplitter()
         with contextlib.suppress(OSError, ValueError):
-            while line := stream.readline(LONGEST):
-                with contextlib.suppress(queue.Full):
-                    lines.put_nowait((clean(line.decode("utf-8", "replace")), self._clock.monotonic()))
+            while data := stream.read1(CHUNK):
+                at = self._clock.monotonic()
+                for line in splitter.lines(data):
+                    with contextlib.suppress(queue.Full):
+                        lines.put_nowait((line, at))
+        for line in splitter.rest():
+            with contextlib.suppress(queue.Full):
+                lines.put_nowait((line, self._clock.monotonic()))
         with contextlib.suppress(queue.Full):
-            lines.put_nowait(None)
+            lines.put(None, timeout=ENDS_S)
+
+    def _puzzle(self) -> str:
+        return f"{self._command.split()[0]} prints no level, but {self._last_words[:80]!r}."
 
     def _ending(self, group: ProcessGroup) -> str:
         with contextlib.suppress(Exception):

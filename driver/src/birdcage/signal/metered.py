@@ -74,7 +74,10 @@ def meter_of(name: str, settings: Settings, clock: Clock) -> Meter:
         command = _filled_in(command, freq_hz, profile.channel_hz)
     level_of = rtl_power_level if profile.prints == "rtl_power" else level_in
     ask_every_s = profile.every_s if profile.ask else None
-    return CommandMeter(command, clock, ask_every_s=ask_every_s, dwell_s=profile.dwell_s, level_of=level_of)
+    return CommandMeter(
+        command, clock, ask_every_s=ask_every_s, dwell_s=profile.dwell_s, level_of=level_of,
+        patience_s=_facts(name, profile).pause_s,
+    )  # fmt: skip
 
 
 def _filled_in(command: str, freq_hz: float, channel_hz: float) -> str:
