@@ -155,6 +155,8 @@ def test_satdumps_snr_is_read_whatever_the_stage_is_called():
         ({"body": b'{"other": 1}'}, r"no number at \*\.snr"),
         ({"body": b'{"a": {"snr": "high"}}'}, "no number"),
         ({"body": b'{"a": {"snr": NaN}}'}, "no number"),
+        ({"body": b'{"a": {"snr": 1e300}}'}, "no number"),
+        ({"body": b'{"a": {"snr": ' + b"9" * 400 + b"}}"}, "no number"),
         ({"status": 503}, "status 503"),
         ({"body": b"\xff\x1b[2J"}, "no JSON"),
     ],
@@ -247,6 +249,14 @@ def test_one_that_answers_three_times_is_believed_once_for_each_question():
     assert all(each.dwell_s >= 0.0 for each in told)
 
 
+def test_one_is_asked_as_often_as_it_was_wished():
+    text = "import sys\nfor n, _ in enumerate(sys.stdin):\n print(n)"
+    with opened(CommandMeter(program(text), CLOCK, ask_every_s=0.06)) as meter:
+        first = level(meter)
+        assert [meter.read(0.2).value for _ in range(10)] == [*range(1, 11)]
+        assert level(meter).at - first.at < 11 * 0.12
+
+
 def test_a_flood_is_thinned_and_its_levels_are_of_now():
     text = "import sys, time\nwhile True:\n sys.stdout.write(f'{time.monotonic()}\\n' * 1000)"
     with opened(CommandMeter(program(text), CLOCK)) as meter:
@@ -293,7 +303,7 @@ def test_the_powers_of_rtl_power_add_up():
     assert rtl_power_level(line) == pytest.approx(-46.99, abs=0.01)
     assert rtl_power_level("Number of frequency hops: 1") is None
     assert rtl_power_level(line + ", nan") == pytest.approx(-46.99, abs=0.01)
-    assert [level_in(each) for each in ("", "x 1", "inf", "2,5")] == [None, None, None, 2.0]
+    assert [level_in(each) for each in ("", "x 1", "inf", "1e10", "2,5")] == [None, None, None, None, 2.0]
 
 
 # As a source

@@ -64,12 +64,12 @@ class CommandMeter:
         """Return the level of the next line; lines without one are passed over."""
         assert self._group is not None, "it was opened"
         until = self._clock.monotonic() + within_s
-        self._ask(self._group)
-        while (left_s := until - self._clock.monotonic()) > 0.0:
+        while (now := self._clock.monotonic()) < until:
+            asks_at = self._ask(self._group, now)
             try:
-                told = self._lines.get(timeout=left_s)
+                told = self._lines.get(timeout=min(until, asks_at) - now)
             except queue.Empty:
-                return None
+                continue
             if told is None:
                 raise MeterError(self._ending(self._group))
             line, at = told
@@ -109,17 +109,17 @@ class CommandMeter:
         with contextlib.suppress(Exception):
             group.child.wait(ENDS_S)
 
-    def _ask(self, group: ProcessGroup) -> None:
-        if self._ask_every_s is None or group.child.stdin is None:
-            return
-        now = self._clock.monotonic()
-        if self._asked_at is None:
-            if now < self._next_ask_at:
-                return
+    def _ask(self, group: ProcessGroup, now: float) -> float:
+        """Ask it where it is time; return when to look again."""
+        if self._ask_every_s is None or self._asked_at is not None or group.child.stdin is None:
+            return math.inf
+        if now >= self._next_ask_at:
             with contextlib.suppress(OSError):  # it has ended, which its last line tells
                 group.child.stdin.write(b"\n")
                 group.child.stdin.flush()
             self._asked_at, self._next_ask_at = now, now + self._ask_every_s
+            return math.inf
+        return self._next_ask_at
 
     _next_ask_at = -math.inf
 

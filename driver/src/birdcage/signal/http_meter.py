@@ -10,7 +10,7 @@ from typing import Any
 from birdcage.base.clock import Clock
 from birdcage.base.reason import Reason
 from birdcage.base.text import clean
-from birdcage.signal.meter import MeterError, MeterReading
+from birdcage.signal.meter import MeterError, MeterReading, is_level
 
 DEADLINE_S = 3.0
 LARGEST = 1_000_000
@@ -66,9 +66,9 @@ class HttpMeter:
 
 
 def number_at(data: Any, path: Sequence[str]) -> float | None:  # noqa: ANN401 - whatever JSON holds
-    """Return the finite number at a path; None if there is none. With `*` the first one counts."""
+    """Return the number at a path; None if there is none that may be a level. With `*` the first one counts."""
     if not path:
-        is_number = isinstance(data, int | float) and not isinstance(data, bool) and math.isfinite(data)
+        is_number = isinstance(data, int | float) and not isinstance(data, bool) and is_level(data)
         return float(data) if is_number else None
     name, rest = path[0], path[1:]
     if isinstance(data, list):

@@ -41,11 +41,20 @@ class Meter(Protocol):
         """End it, also where it was never opened."""
 
 
+LARGEST = 1e9
+"""No unit makes a level beyond this: what is larger is a mistake, and would fill a screen with digits."""
+
+
+def is_level(value: float) -> bool:
+    """Return whether a number may be a level: neither infinite, nor not a number, nor beyond all sense."""
+    return abs(value) < LARGEST
+
+
 def level_in(text: str) -> float | None:
-    """Return the finite number at the beginning of a line; None if there is none."""
+    """Return the number at the beginning of a line; None if there is none that may be a level."""
     words = text.replace(",", " ").split()
     try:
         value = float(words[0]) if words else float("nan")
     except ValueError:
         return None
-    return value if abs(value) < float("inf") else None
+    return value if is_level(value) else None
