@@ -11,6 +11,7 @@ from birdcage.setup.step import AreaNotClear
 from birdcage.sim.almanac import sun
 from birdcage.sky.geostationary import look_angle
 from birdcage.sky.slots import slots
+from birdcage.station.requests import Goto
 
 SEARCH_S = 900.0
 """How long a search may take."""
@@ -192,3 +193,24 @@ def test_on_a_turned_and_tilted_base_a_bad_compass_is_mended_by_a_satellite(buil
     off = re.search(r": ([-+][\d.]+)° in azimuth, ([-+][\d.]+)° in elevation off", house.view("first").words[1])
     assert abs(float(off[1])) < 0.4
     assert abs(float(off[2])) < 0.3
+
+
+def test_out_of_its_box_on_a_turned_and_tilted_base_it_ends_on_a_satellite_beside_a_stronger_one(build):
+    house = build(FRESH.replace("heading=30", "heading=40&tilt_north=1.6&tilt_east=-1.2"))
+    edit(house.paths.config_file, {"dish.baud": 57600})
+    house.start()
+    wires_to_home(house)
+    feed_to_the_end(house)
+    house.choose("north", "compass", reading_deg="44", declination_deg="2")
+    assert house.setup.current == "first"
+    house.choose("first", "search", SEARCH_S, slot="110W")
+    assert "locked" in house.view("first").evidence
+    choice = next(each for each in house.view("first").choices if "110°W" in each.label)
+    house.choose("first", choice.name)
+    assert house.setup.finished
+    assert "by the signal of EchoStar 10 (110°W)" in house.file().setup.kept("north").evidence
+    expected = look_angle(39.1, -95.7, -110.0)
+    house.station.submit(Goto(*expected, "you"))
+    house.run(30)
+    truth = house.device.truth()
+    assert (truth.beam_az_deg, truth.beam_el_deg) == pytest.approx(expected, abs=0.45)

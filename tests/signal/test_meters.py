@@ -275,6 +275,14 @@ def test_a_line_without_an_end_is_no_level_wherever_it_is_cut(piece):
         assert [meter.read(0.2) for _ in range(5)] == [None] * 5
 
 
+def test_what_it_prints_to_standard_error_is_no_level_and_is_shown_when_it_ends():
+    text = "import sys, time\nfor _ in range(20):\n print('42 lost blocks', file=sys.stderr)\n print(-41.5)\n"
+    text += " time.sleep(0.03)\nprint('No supported devices found.', file=sys.stderr)\nraise SystemExit(1)"
+    with opened(CommandMeter(program(text), CLOCK)) as meter:
+        assert {level(meter).value for _ in range(10)} == {-41.5}
+    assert end_of(CommandMeter(program(text), CLOCK)).endswith("exit status 1: No supported devices found.")
+
+
 def test_lines_are_cut_the_same_however_they_arrive():
     printed = b"-41.5\n" + b"9" * 9000 + b"\n-40.5\n\xff\x1b[2J\n3"
     for size in (1, 7, 4096, 20_000):

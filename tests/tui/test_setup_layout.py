@@ -5,11 +5,12 @@ from dataclasses import replace
 import pytest
 import setup_stand_in
 import stand_in
-from birdcage.setup.step import Choice, Field
+from birdcage.setup.step import Choice, Field, Mark, StepView
 from birdcage.setup.wiring import connectors
 from birdcage_tui.setup import wiring
 from birdcage_tui.setup.fold import fold
 from birdcage_tui.setup.form import AnswerForm
+from birdcage_tui.setup.setup_words import StepText
 from setup_stage import inside, press, read, run, settle
 from textual.widgets import Input
 
@@ -220,3 +221,11 @@ def test_the_notes_on_the_screen_say_of_which_dish_each_is():
     for each in connectors():
         heading = rows.index(f"Notes: {each.dishes}")
         assert rows[heading + 1 : heading + 1 + len(each.notes)] == [f"· {note}" for note in each.notes]
+
+
+def test_evidence_that_the_first_sentence_repeats_is_told_once():
+    place = "found at 142.85 / 30.74: 161 over the floor"
+    step = StepView(11, "first", "First satellite", Mark.TODO, place, ("Found at 142.85 / 30.74 ±0.06: 161.", "More."))
+    assert [line for _ink, line in StepText(step, whole=True).lines(80)] == [*step.words]
+    other = replace(step, words=("Search it.",))
+    assert [line for _ink, line in StepText(other, whole=True).lines(80)] == [place, "Search it."]

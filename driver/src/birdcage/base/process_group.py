@@ -15,13 +15,17 @@ class ProcessGroup:
     What it starts and puts into another session (`setsid`, a service) is no longer part of it.
     """
 
-    def __init__(self, words: Sequence[str], environment: Mapping[str, str]) -> None:
-        """Start it. OSError where that cannot be done; the sentence is the system's."""
+    def __init__(self, words: Sequence[str], environment: Mapping[str, str], *, errors_apart: bool = False) -> None:
+        """Start it. OSError where that cannot be done; the sentence is the system's.
+
+        `errors_apart`: standard error has a pipe of its own; else it comes with the output.
+        """
         new_group = 0
         if sys.platform == "win32":
             new_group = subprocess.CREATE_NEW_PROCESS_GROUP
         self.child = subprocess.Popen(  # noqa: S603 - a command line that its own user has set
-            list(words), stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=dict(environment),
+            list(words), stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE if errors_apart else subprocess.STDOUT, env=dict(environment),
             start_new_session=True, creationflags=new_group,
         )  # fmt: skip
 

@@ -21,11 +21,12 @@ CHUNK = 65_536
 LEAST_S = 0.01
 """Levels closer together are not told: a program that prints without end would fill every memory."""
 ENDS_S = 1.0
+ERRORS_S = 0.2
 MOST_WAITING = 1000
 
 
 class CommandMeter:
-    """Its standard error stays unread among its lines; the last line that holds no level is shown when it ends."""
+    """What it prints to standard error is no level. The last line that holds none is shown when it ends."""
 
     def __init__(
         self, command: str, clock: Clock, *, ask_every_s: float | None = None, dwell_s: float = 0.0,
@@ -39,6 +40,7 @@ class CommandMeter:
         self._ask_every_s, self._patience_s = ask_every_s, patience_s
         self._level_at = 0.0
         self._group: ProcessGroup | None = None
+        self._errors: threading.Thread | None = None
         self._lines: queue.Queue[tuple[str, float] | None] = queue.Queue(MOST_WAITING)
         self._asked_at: float | None = None
         self._last_words = ""
@@ -52,13 +54,15 @@ class CommandMeter:
         if not words or shutil.which(words[0]) is None:
             raise MeterError(f"There is no program {words[0] if words else ''!r}. Install it, or write its whole path.")
         try:
-            group = self._group = ProcessGroup(words, os.environ)
+            group = self._group = ProcessGroup(words, os.environ, errors_apart=True)
         except OSError as error:
             raise MeterError(f"{words[0]} can't be started ({error.strerror}).") from error
         self._lines, self._asked_at, self._last_words = queue.Queue(MOST_WAITING), None, ""
         self._level_at = self._clock.monotonic() - LEAST_S
-        reading = threading.Thread(target=self._listen, args=(group, self._lines), name="signal lines", daemon=True)
-        reading.start()
+        told = group, self._lines
+        threading.Thread(target=self._listen, args=told, name="signal lines", daemon=True).start()
+        self._errors = threading.Thread(target=self._listen_to_errors, args=told, name="signal errors", daemon=True)
+        self._errors.start()
 
     def read(self, within_s: float) -> MeterReading | None:
         """Return the level of the next line; lines without one are passed over."""
@@ -102,7 +106,7 @@ class CommandMeter:
                 self._clock.wait(None, self._clock.monotonic() + 0.02)
             if group.alive():
                 group.kill()
-        for stream in (group.child.stdin, group.child.stdout):
+        for stream in (group.child.stdin, group.child.stdout, group.child.stderr):
             if stream is not None and (stream is group.child.stdin or not group.alive()):
                 with contextlib.suppress(OSError, ValueError):
                     stream.close()
@@ -140,13 +144,28 @@ class CommandMeter:
         with contextlib.suppress(queue.Full):
             lines.put(None, timeout=ENDS_S)
 
+    def _listen_to_errors(self, group: ProcessGroup, lines: queue.Queue[tuple[str, float] | None]) -> None:
+        stream = group.child.stderr
+        assert isinstance(stream, io.BufferedReader), "it is piped"
+        splitter = LineSplitter()
+        with contextlib.suppress(OSError, ValueError):
+            while data := stream.read1(CHUNK):
+                for line in splitter.lines(data):
+                    if line.strip() and lines is self._lines:
+                        self._last_words = line.strip()
+        for line in splitter.rest():
+            if lines is self._lines:
+                self._last_words = line.strip()
+
     def _puzzle(self) -> str:
         return f"{self._command.split()[0]} prints no level, but {self._last_words[:80]!r}."
 
     def _ending(self, group: ProcessGroup) -> str:
         with contextlib.suppress(Exception):
             group.child.wait(ENDS_S)
-        code, last = group.child.poll(), self._last_words[:80]
+        if self._errors is not None:
+            self._errors.join(ERRORS_S)  # why it has ended may stand there
+        code, last = group.child.poll(), self._last_words[:80].rstrip(".")
         name = self._command.split()[0]
         how = "has closed its output" if code is None else f"has ended with exit status {code}"
         return f"{name} {how}{f': {last}' if last else ''}."

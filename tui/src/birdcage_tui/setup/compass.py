@@ -71,7 +71,7 @@ def _readings(cells: Cells, x: int, y: int, view: View, place: SitePlace | None)
         (" ", "dim", "offset", f"{state.az_offset_deg:+6.2f}°"),
     ]
     if place is None:
-        rows.append(("☼", "dim", "Sun", "no location"))
+        rows.append(("☼", "dim", "Sun", "unknown"))
     else:
         az_deg, el_deg = sun(view.utc, place.latitude_deg, place.longitude_deg)
         rows += [

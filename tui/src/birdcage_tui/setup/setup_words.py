@@ -12,6 +12,9 @@ from birdcage_tui.shown.state_words import span_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
+SAME = 20
+"""Characters: what begins alike so far is the same."""
+
 
 @dataclass(slots=True)
 class StepText:
@@ -43,7 +46,7 @@ class StepText:
         def say(ink: str, words: str) -> None:
             found.extend((ink, line) for line in wrap(words, max(width, 10)))
 
-        if self.whole and step.evidence:
+        if self.whole and step.evidence and not self._repeated:
             say({Mark.FAILED: "fault", Mark.DONE: "good"}.get(step.mark, "dim"), step.evidence)
         if step.busy:
             time = "" if self.busy_s is None else f"  {span_text(self.busy_s)}"
@@ -59,6 +62,12 @@ class StepText:
         if self.wrong:
             say("warn-strong", f"▲ {self.wrong}")
         return found
+
+    @property
+    def _repeated(self) -> bool:
+        """Whether the first sentence begins as the evidence does, and says more."""
+        step = self.step
+        return step is not None and step.evidence[:SAME].casefold() in "".join(step.words[:1]).casefold()
 
 
 class StepWords(Pane):
