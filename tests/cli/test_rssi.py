@@ -136,3 +136,13 @@ raise SystemExit(3)
     assert result.exit_code == 0, result.stderr
     assert len(result.stdout.splitlines()) == 2
     assert result.stderr.count("has ended with exit status 3: device busy. Still waiting.") == 1, result.stderr
+
+
+def test_a_recording_that_stops_is_told_at_once_while_the_readings_go_on(run, monkeypatch):
+    monkeypatch.setattr("birdcage.signal.recording.MOST_READINGS", 3)
+    result = run("rssi", "--seconds", 3, "--record")
+    assert result.exit_code == 0, result.stderr
+    told, summary, again = result.stderr.splitlines()[-3:]
+    assert told == again
+    assert re.fullmatch(r"The recording is full with \d+ readings\. They are kept; begin another one\.", told)
+    assert " a second: mean " in summary

@@ -12,10 +12,10 @@ from birdcage.base.config import Settings
 from birdcage.base.config.signals import PRESETS, SignalProfile
 from birdcage.signal.command_meter import CommandMeter, rtl_power_level
 from birdcage.signal.http_meter import HttpMeter, number_at
-from birdcage.signal.line_splitter import LineSplitter
 from birdcage.signal.meter import MeterError, level_in
 from birdcage.signal.meter_source import MeterSource
 from birdcage.signal.metered import metered_source
+from birdcage.signal.output_lines import OutputLines
 from birdcage.signal.rigctl_meter import RigctlMeter
 from birdcage.signal.rtl_tcp_meter import BINS, RtlTcpMeter, Tuned, channel_power, spectrum_of
 from birdcage.signal.source import MONITOR
@@ -286,7 +286,7 @@ def test_what_it_prints_to_standard_error_is_no_level_and_is_shown_when_it_ends(
 def test_lines_are_cut_the_same_however_they_arrive():
     printed = b"-41.5\n" + b"9" * 9000 + b"\n-40.5\n\xff\x1b[2J\n3"
     for size in (1, 7, 4096, 20_000):
-        splitter = LineSplitter()
+        splitter = OutputLines()
         lines = [line for at in range(0, len(printed), size) for line in splitter.lines(printed[at : at + size])]
         assert lines == ["-41.5", "-40.5", "\N{REPLACEMENT CHARACTER}[2J"], size
         assert list(splitter.rest()) == ["3"]

@@ -110,7 +110,7 @@ def _print(
     dish: StationCommand, monitor: SignalMonitor, told: queue.SimpleQueue[SignalReading], summary: Summary,
     recorder: SignalRecorder | None, *, count: int | None, seconds: float | None, as_json: bool,
 ) -> None:  # fmt: skip
-    begun, source, quiet = dish.now, monitor.chosen.facts.id, _Quiet(dish, monitor)
+    begun, source, quiet, stopped = dish.now, monitor.chosen.facts.id, _Quiet(dish, monitor), False
     while (count is None or summary.count < count) and not (summary.count and seconds and dish.now >= begun + seconds):
         dish.look()
         while not told.empty() and (count is None or summary.count < count):
@@ -121,6 +121,9 @@ def _print(
                 _print_one(dish, reading, summary, as_json=as_json)
                 if recorder is not None:
                     recorder.add(row_of(reading, summary.facts, dish.state, dish.now))
+        if recorder is not None and recorder.problem and not stopped:
+            stopped = True
+            say(recorder.problem)
         if summary.count:
             quiet.look()
         else:

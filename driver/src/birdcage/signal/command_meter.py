@@ -14,8 +14,8 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.process_group import ProcessGroup
-from birdcage.signal.line_splitter import LineSplitter
 from birdcage.signal.meter import MeterError, MeterReading, level_in
+from birdcage.signal.output_lines import OutputLines
 
 CHUNK = 65_536
 LEAST_S = 0.01
@@ -131,7 +131,7 @@ class CommandMeter:
         """Put its lines into the queue, with the time at which each was whole; None at the end."""
         stream = group.child.stdout
         assert isinstance(stream, io.BufferedReader), "it is piped"
-        splitter = LineSplitter()
+        splitter = OutputLines()
         with contextlib.suppress(OSError, ValueError):
             while data := stream.read1(CHUNK):
                 at = self._clock.monotonic()
@@ -147,7 +147,7 @@ class CommandMeter:
     def _listen_to_errors(self, group: ProcessGroup, lines: queue.Queue[tuple[str, float] | None]) -> None:
         stream = group.child.stderr
         assert isinstance(stream, io.BufferedReader), "it is piped"
-        splitter = LineSplitter()
+        splitter = OutputLines()
         with contextlib.suppress(OSError, ValueError):
             while data := stream.read1(CHUNK):
                 for line in splitter.lines(data):

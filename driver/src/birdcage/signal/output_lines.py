@@ -12,7 +12,7 @@ NEWEST = 32
 """Of lines that arrive together so many count, the last ones: the others were printed long ago."""
 
 
-class LineSplitter:
+class OutputLines:
     """For one stream."""
 
     def __init__(self) -> None:
