@@ -146,3 +146,13 @@ def test_a_recording_that_stops_is_told_at_once_while_the_readings_go_on(run, mo
     assert told == again
     assert re.fullmatch(r"The recording is full with \d+ readings\. They are kept; begin another one\.", told)
     assert " a second: mean " in summary
+
+
+def test_a_command_of_several_lines_in_the_settings_keeps_them_and_is_shown_in_one(run, tmp_path):
+    text = "import time\\nfor each in range(9):\\n    print(-41.5, flush=True)\\n    time.sleep(0.05)"
+    file = tmp_path / "own.toml"
+    file.write_text(f"[signal.meter]\ncommand = \"{sys.executable} -c '{text}'\"\nevery_s = 0.1\n")
+    result = run("--config", file, "rssi", "--source", "meter", "--count", 3, port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 0, result.stderr
+    shown = run("--config", file, "config", "show").stdout
+    assert "import time for each in range(9):     print" in shown

@@ -14,6 +14,7 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.base.process_group import ProcessGroup
+from birdcage.base.text import clean
 from birdcage.signal.meter import MeterError, MeterReading, level_in
 from birdcage.signal.output_lines import OutputLines
 
@@ -50,7 +51,7 @@ class CommandMeter:
         try:
             words = shlex.split(self._command)
         except ValueError as error:
-            raise MeterError(f"The command can't be read ({error}): {self._command}") from error
+            raise MeterError(f"The command can't be read ({error}): {clean(self._command)}") from error
         if not words or shutil.which(words[0]) is None:
             raise MeterError(f"There is no program {words[0] if words else ''!r}. Install it, or write its whole path.")
         try:

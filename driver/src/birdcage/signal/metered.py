@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from birdcage.base.text import clean
 from birdcage.signal.command_meter import CommandMeter, rtl_power_level
 from birdcage.signal.http_meter import HttpMeter
 from birdcage.signal.meter import Meter, MeterError, MeterReading, level_in
@@ -41,7 +42,7 @@ def _facts(name: str, profile: SignalProfile) -> SignalFacts:
         name, LABELS.get(name, name), profile.unit, Scale.LOG if log else Scale.LINEAR, 1.0 / every_s,
         max(LEAST_PAUSE_S, 3.0 * every_s), latency_s=None, dwell_s=dwell_s, decimals=1 if log else 3,
         span=SPAN_DB if log else 0.0, least=None, of_dish=False, demo=False,
-        where=profile.url or profile.address or profile.command or "",
+        where=clean(profile.url or profile.address or profile.command or ""),
     )  # fmt: skip
 
 

@@ -47,12 +47,23 @@ def read_document(path: Path | None) -> Document:
         line = raw.count(b"\n", 0, error.start) + 1
         return _unreadable(path, line, "The file is damaged here: not UTF-8 text.")
     try:
-        return Document(path, clean_all(tomllib.loads(text)), (), _find_lines(text))
+        return Document(path, _clean(tomllib.loads(text)), (), _find_lines(text))
     except tomllib.TOMLDecodeError as error:
         found = re.search(r"\(at line (\d+)", str(error))
         line = int(found.group(1)) if found else len(text.rstrip().splitlines())
         what = re.sub(r"\s*\(at .*\)$", "", str(error))
         return _unreadable(path, line, f"The file is not valid TOML here ({what}).{_key_in(text, line)}")
+
+
+def _clean(tables: dict[str, Any]) -> dict[str, Any]:
+    """Return it with every text clean; the command of a signal keeps its line ends, which may mean something to it."""
+    cleaned = clean_all(tables)
+    signals = tables.get("signal")
+    for name, table in signals.items() if isinstance(signals, dict) else ():
+        command = table.get("command") if isinstance(table, dict) else None
+        if isinstance(command, str):
+            cleaned["signal"][clean(name)]["command"] = "\n".join(map(clean, command.split("\n")))
+    return cleaned
 
 
 def _unreadable(path: Path, line: int | None, what: str) -> Document:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import click
 
+from birdcage.base.text import clean
 from birdcage.cli import exits
 from birdcage.cli.options import find_paths, flags, global_options, load_settings
 
@@ -96,4 +97,4 @@ def check(context: click.Context) -> None:
 def _shown(value: object) -> str:
     if value is None:
         return "-"
-    return str(value).lower() if isinstance(value, bool) else str(value)
+    return str(value).lower() if isinstance(value, bool) else clean(str(value))
