@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import re
+import subprocess
+import sys
 import time
+from pathlib import Path
 
 import pytest
 from birdcage.base.clock import RealClock
@@ -312,6 +316,39 @@ def test_the_powers_of_rtl_power_add_up():
     assert rtl_power_level("Number of frequency hops: 1") is None
     assert rtl_power_level(line + ", nan") == pytest.approx(-46.99, abs=0.01)
     assert [level_in(each) for each in ("", "x 1", "inf", "1e10", "2,5")] == [None, None, None, None, 2.0]
+
+
+HOST = """
+import sys, time
+from birdcage.base.clock import RealClock
+from birdcage.signal.command_meter import CommandMeter
+meter = CommandMeter(sys.argv[1], RealClock())
+meter.open()
+print(meter._group.child.pid, flush=True)
+time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="its shell is no POSIX one")
+def test_a_command_that_prints_nothing_ends_with_a_program_that_is_killed():
+    mute = program("import time\ntime.sleep(60)")
+    host = subprocess.Popen([sys.executable, "-c", HOST, mute], stdout=subprocess.PIPE)
+    pid = int(host.stdout.readline())
+    os.kill(pid, 0)
+    host.kill()
+    host.communicate()
+
+    def is_gone():
+        status = Path(f"/proc/{pid}/status")
+        try:
+            if Path("/proc/self").exists():
+                return "State:\tZ" in status.read_text()
+            os.kill(pid, 0)
+        except (FileNotFoundError, ProcessLookupError):
+            return True
+        return False
+
+    wait_until(is_gone)
 
 
 # As a source

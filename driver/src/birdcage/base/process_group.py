@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -20,6 +21,7 @@ class ProcessGroup:
 
         `errors_apart`: standard error has a pipe of its own; else it comes with the output.
         """
+        self._leash: subprocess.Popen[bytes] | None = None
         new_group = 0
         if sys.platform == "win32":
             new_group = subprocess.CREATE_NEW_PROCESS_GROUP
@@ -28,6 +30,26 @@ class ProcessGroup:
             stderr=subprocess.PIPE if errors_apart else subprocess.STDOUT, env=dict(environment),
             start_new_session=True, creationflags=new_group,
         )  # fmt: skip
+
+    def leash(self) -> None:
+        """Have it ended should this program die without a word, as by `kill -9`. Not on Windows.
+
+        A shell waits for that at the other end of a pipe: it reads a line from `unleash`, or the end of the pipe.
+        """
+        if sys.platform == "win32":
+            return
+        group = f"-- -{self.child.pid}"
+        words = ["/bin/sh", "-c", f"read -r _ || {{ kill -s TERM {group}; sleep 1; kill -s KILL {group}; }}"]
+        self._leash = subprocess.Popen(  # noqa: S603 - no word of anybody's
+            words, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True,
+        )  # fmt: skip
+
+    def unleash(self) -> None:
+        """Let go of it: it has ended, or may go on."""
+        leash, self._leash = self._leash, None
+        if leash is not None:
+            with contextlib.suppress(OSError):
+                leash.communicate(b"\n", timeout=1.0)
 
     def alive(self) -> bool:
         """Whether any of it still runs."""

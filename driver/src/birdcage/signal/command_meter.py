@@ -56,6 +56,7 @@ class CommandMeter:
             raise MeterError(f"There is no program {words[0] if words else ''!r}. Install it, or write its whole path.")
         try:
             group = self._group = ProcessGroup(words, os.environ, errors_apart=True)
+            group.leash()
         except OSError as error:
             raise MeterError(f"{words[0]} can't be started ({error.strerror}).") from error
         self._lines, self._asked_at, self._last_words = queue.Queue(MOST_WAITING), None, ""
@@ -107,6 +108,7 @@ class CommandMeter:
                 self._clock.wait(None, self._clock.monotonic() + 0.02)
             if group.alive():
                 group.kill()
+        group.unleash()
         for stream in (group.child.stdin, group.child.stdout, group.child.stderr):
             if stream is not None and (stream is group.child.stdin or not group.alive()):
                 with contextlib.suppress(OSError, ValueError):
