@@ -61,7 +61,7 @@ def test_through_a_station_the_other_program_reads_and_reads_no_more_afterwards(
 def test_a_dish_without_a_tuner_says_what_to_do(run):
     result = run("rssi", "--count", 1, firmware="hal205", port="sim:hal205")
     assert (result.exit_code, result.stdout) == (1, "")
-    assert 'has no tuner to read. signal = "rigctl"' in result.stderr
+    assert "has no tuner to read. s on F3 or --source NAME" in result.stderr
 
 
 def test_without_a_reading_nothing_is_summed_up():

@@ -52,8 +52,8 @@ class TunerSource:
         dish = self._station.state.dish
         if dish is None or dish.has_rssi:
             return ""
-        reads = 'signal = "rigctl" in the table of its feed reads your receiver.'
-        return f"The {dish.name} has no tuner to read. {reads}"
+        others = "s on F3 or --source NAME chooses another source, signal in the table of its feed for good."
+        return f"The {dish.name} has no tuner to read. {others}"
 
     def subscribe(self, hear: Hear) -> Callable[[], None]:
         """Tell every reading, on the station's thread."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import CommandContext, can_move
+from birdcage_tui.shown.allowed import CommandContext, can_move, can_step
 from birdcage_tui.shown.event_words import finding_now
 from birdcage_tui.shown.pursuit import pursuit_of
 
@@ -16,7 +16,7 @@ def can_find(context: CommandContext) -> str | None:
     if context.heard.of_dish and state.dish is not None and not state.dish.has_rssi:
         return f"The {state.dish.name} has no tuner to read. s chooses another source."
     if state.position is None or state.position_lost is not None:
-        return "Where the dish points is unknown. Home it first."
+        return can_step(context) or "Where the dish points is unknown. Home it first."
     if finding_now(state) is not None:
         return "It is searching already. Space stops it."
     if pursuit_of(state) is not None:
