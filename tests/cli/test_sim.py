@@ -58,7 +58,8 @@ def test_a_carryout_of_2003_has_no_position_to_print(run) -> None:
 
 
 @pytest.mark.parametrize("words", [
-    ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("--port", "x"), ("--firmware", "hal000"),
+    ("--speed", 0), ("-o", "no"), ("-o", "nothing=1"), ("-o", "az=180"), ("-o", "el=90"),
+    ("--port", "x"), ("--firmware", "hal000"),
 ])  # fmt: skip
 def test_it_refuses_what_it_cannot(run, words) -> None:
     result = run("sim", *words)

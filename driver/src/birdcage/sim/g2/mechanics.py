@@ -17,6 +17,12 @@ AZ_STEPS, EL_STEPS = 40000, 24960
 SAG_RATE_DEG_S = 10.0
 
 
+def _check(name: str, deg: float, low: float, high: float) -> None:
+    """Raise ValueError for a start beyond the stops: no dish stands there, and its count would be wrong from then."""
+    if not low <= deg <= high:
+        raise ValueError(f"{name}={deg:g}: it is from {low:g} to {high:g}")
+
+
 class G2Dish(DishMechanics):
     """An azimuth and an elevation motor that move at once."""
 
@@ -26,6 +32,8 @@ class G2Dish(DishMechanics):
         unknown = settings.unhomed or settings.boot
         cable = rng.uniform(-360.0, 0.0) if unknown else settings.az
         el = rng.uniform(20.0, 60.0) if unknown else settings.el
+        _check("az", cable, CABLE_LOW_DEG, CABLE_HIGH_DEG)
+        _check("el", el, EL_STOP_LOW_DEG, EL_STOP_HIGH_DEG)
         shared = {"overshoot": settings.overshoot, "backlash_deg": settings.backlash}
         az_data = AxisData(
             "AZ", AZ_STEPS, 65.0, 400.0, CABLE_LOW_DEG, CABLE_HIGH_DEG, CABLE_HIGH_DEG, 0.01, 65.0, 8.0, **shared
