@@ -14,6 +14,7 @@ from birdcage.base.geometry import separation, shortest_turn
 from birdcage.base.paths import Paths
 from birdcage.calibration.guide import Guide
 from birdcage.link.link import Link
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
@@ -29,8 +30,8 @@ LEANING = "g2?seed=1&overshoot=0&heading=25&tilt_north=1.2&tilt_east=-0.7&collim
 class Garden:
     """The dish as it truly stands, and a person with a meter beside it."""
 
-    def __init__(self, folder: Path, address: str = LEANING, config: str = PLACE) -> None:
-        self.clock = VirtualClock(AFTERNOON)
+    def __init__(self, folder: Path, address: str = LEANING, config: str = PLACE, when: datetime = AFTERNOON) -> None:
+        self.clock = VirtualClock(when)
         self.device = open_device(address, clock=self.clock)
         self.paths = Paths.in_folder(folder)
         folder.mkdir(parents=True, exist_ok=True)
@@ -42,7 +43,7 @@ class Garden:
             StationSettings(
                 port="sim:test", firmware=address.partition("?")[0],
                 open_link=lambda port, baud: Link(SimPort(self.device, port, baud=baud), self.clock),
-                **{each.name: getattr(rules, each.name) for each in fields(rules)},
+                **{each.name: getattr(rules, each.name) for each in fields(rules)}, tasks=signal_tasks(),
             ),
         )  # fmt: skip
         self.session = Session(self.clock, station)

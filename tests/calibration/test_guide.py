@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from datetime import UTC, datetime
+
 import pytest
 from birdcage.antenna.alignment import Alignment
 from birdcage.base.alignments import load_sets
@@ -155,3 +158,39 @@ def test_control_is_given_back(garden):
     garden.guide.close()
     garden.run(1.0)
     assert garden.session.station.state.holder is None
+
+
+def test_a_peak_by_the_signal_compares_with_where_the_sun_was_while_it_was_heard(build):
+    """It moves a beam's hundredth while the dish goes through the grid, and further until it is kept."""
+    garden = build(when=datetime(2026, 6, 20, 21, 30, tzinfo=UTC))  # far above the arc then
+    sun = next(each.candidate for each in garden.guide.refresh() if each.candidate.name == "Sun")
+    garden.guide.go(sun)
+    garden.rest()
+    garden.peak_up()
+    began = garden.clock.utc()
+    garden.guide.find_peak()
+    garden.rest(200.0)
+    ended = garden.clock.utc()
+    (peak,) = garden.guide.peaks
+    assert peak.found == "rssi"
+    assert (began + (ended - began) / 2 - peak.utc).total_seconds() == pytest.approx(0.0, abs=8.0)
+    assert (ended - began).total_seconds() > 20.0
+    assert garden.guide.take_found().number == peak.number
+    assert garden.guide.take_found() is None, "told once"
+    garden.peak_up()
+    by_eye = garden.guide.take()
+    assert peak.true_az_deg < by_eye.true_az_deg - 0.05, "the Sun has moved on"
+    right, up = (
+        (one[0] - one[1] - other[0] + other[1])
+        for one, other in (
+            ((by_eye.dish_az_deg, by_eye.true_az_deg), (peak.dish_az_deg, peak.true_az_deg)),
+            ((by_eye.dish_el_deg, by_eye.true_el_deg), (peak.dish_el_deg, peak.true_el_deg)),
+        )
+    )
+    assert math.hypot(right * math.cos(math.radians(peak.true_el_deg)), up) < 0.12
+
+
+def test_no_search_without_an_object_or_a_task(garden):
+    with pytest.raises(NoPeak, match="No object is chosen"):
+        garden.guide.find_peak()
+    assert garden.session.station.state.tasks == ()

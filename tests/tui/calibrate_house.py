@@ -11,6 +11,7 @@ from birdcage.base.config import load
 from birdcage.base.geometry import separation, shortest_turn
 from birdcage.base.paths import Paths
 from birdcage.link.link import Link
+from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings, rules_from
@@ -46,7 +47,7 @@ class House:
             StationSettings(
                 port="sim:test", firmware=address.partition("?")[0],
                 open_link=lambda port, baud: Link(SimPort(self.device, port, baud=baud), self.clock),
-                **{each.name: getattr(rules, each.name) for each in fields(rules)},
+                **{each.name: getattr(rules, each.name) for each in fields(rules)}, tasks=signal_tasks(),
             ),
         )  # fmt: skip
         self.session = Stepped(self.clock, self.station)

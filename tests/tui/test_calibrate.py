@@ -87,7 +87,7 @@ def test_what_is_wrong_with_the_fit_and_what_to_do_next_are_told_whole(size):
 
     below, aim = run(look, "odd", size)
     assert calibrate_stand_in.SCENES["odd"].guide.fit.warning in below
-    assert "Nudge to the highest signal, then press Enter." in aim
+    assert "f finds the peak by the signal, and saves it." in aim
 
 
 def test_the_picture_holds_each_peak_by_its_number_and_its_ring():

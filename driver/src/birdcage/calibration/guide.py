@@ -15,11 +15,10 @@ from birdcage.base.errors import BirdcageError, ConfigError
 from birdcage.base.paths import Paths
 from birdcage.base.reason import Reason
 from birdcage.calibration.candidates import CalibrationObject, expected
-from birdcage.calibration.peak import SLOT_RISE_DB, MeasuredPeak, sigma_by_hand
+from birdcage.calibration.peak import MeasuredPeak
+from birdcage.calibration.peak_search import SETTLES_S, PeakSearch, peak_found, search_for
 from birdcage.calibration.peaks_file import add_peak, load_peaks, peaks_file, remove_peaks
-from birdcage.calibration.work import fit_for, in_force, observer_of, proposals_for, set_from, sky_error_for
-from birdcage.sky.rise import Ear, expected_rise_db
-from birdcage.sky.targets.model import SlotTarget
+from birdcage.calibration.work import fit_for, in_force, observer_of, peak_at, proposals_for, set_from, sky_error_for
 from birdcage.station.access import FaceSession
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.reach_limits import reach_limits_of
@@ -89,7 +88,11 @@ class Guide:
         self._flags = dict(flags or {})
         self._target: Target | None = None
         self._future: Future[object] | None = None
+        self._search: PeakSearch | None = None
+        self._begins: Future[object] | None = None
+        """Of a search for a peak that the station was asked for; None once its number is known."""
         self._busy = self._failure = ""
+        self._found: MeasuredPeak | None = None
         self._proposals: tuple[Proposal, ...] = ()
         self._read()
         if watch:
@@ -117,11 +120,12 @@ class Guide:
     @property
     def busy(self) -> str:
         """What is under way; empty if nothing is."""
-        return self._busy
+        return self._busy or ("" if self._search is None else self._search.words)
 
     def close(self) -> None:
         """Look away from the dish, and give control back."""
         self._station.submit(Unwatch("calibration"))
+        self._end_search()
         if self._station.state.holder == self._holder:
             self._station.submit(ReleaseLease(self._holder))
 
@@ -135,7 +139,7 @@ class Guide:
         return GuideView(
             peaks=self.peaks, fit=self._fit, sky_error_deg=self._sky_error_deg, proposals=self._proposals,
             target="" if self._target is None else self._target.name, expected=stands, position=position,
-            nudged=nudged, may_not_take=self._may_not_take(), busy=self._busy, failure=self._failure,
+            nudged=nudged, may_not_take=self._may_not_take(), busy=self.busy, failure=self._failure,
             active=self.settings.alignment.active or "",
         )  # fmt: skip
 
@@ -188,6 +192,27 @@ class Guide:
         self._read()
         return kept
 
+    def find_peak(self, source: str = "") -> None:
+        """Have the station find the peak by the signal, around where the dish points; what it finds is kept as a peak.
+
+        Returns at once. STOP ends it as every motion; without a peak nothing is kept, and `failure` says why.
+        `source`: what it hears by, empty for the feed's own. NoPeak as for `take`.
+        """
+        reason, position, stands = self._may_not_take(), self._position, self._stands()
+        if reason or position is None or stands is None:
+            raise NoPeak(reason, reason=Reason.TARGET if self._target is None else Reason.POSITION)
+        self._end_search()
+        self._failure = ""
+        self._search = PeakSearch(self._station)
+        self._begins = self._station.submit(
+            search_for(self.settings, stands, position, self._beam, self._holder, source)
+        )  # fmt: skip
+
+    def take_found(self) -> MeasuredPeak | None:
+        """Return the peak that was found since this was asked last; None if there is none."""
+        found, self._found = self._found, None
+        return found
+
     def remove(self, *numbers: int) -> None:
         """Forget peaks by their numbers, all of them without one, and fit anew. StoreError where there is none."""
         remove_peaks(peaks_file(self._paths), *numbers)
@@ -220,6 +245,7 @@ class Guide:
 
     def tick(self) -> None:
         """Look what became of what was asked for."""
+        self._look_at_search()
         if self._future is None or not self._future.done():
             return
         future, self._future, self._busy = self._future, None, ""
@@ -227,6 +253,40 @@ class Guide:
             future.result(0)
         except BirdcageError as error:
             self._failure = str(error)
+
+    def _look_at_search(self) -> None:
+        """Keep what was found, once the dish has told where it rests."""
+        search = self._search
+        if search is None:
+            return
+        try:
+            if self._begins is not None and self._begins.done():
+                number, self._begins = self._begins.result(0), None
+                assert isinstance(number, int), "a task that has begun has one"
+                search.number = number
+            if search.ended is None:
+                return
+            if not search.ended.is_done or not search.ended.found:
+                raise NoPeak(search.ended.why, reason=Reason.SILENT)
+            position, now = self._position, self._clock.monotonic()
+            search.ended_at = now if search.ended_at is None else search.ended_at
+            if position is not None and not self._moving and position.at >= search.ended_at:
+                assert self._target is not None, "it was sought"
+                peak = peak_found(self.settings, self._target, position, search.ended.found, self._beam)
+                self._found = add_peak(peaks_file(self._paths), peak)
+                self._read()
+            elif now < search.ended_at + SETTLES_S:
+                return
+            else:
+                raise NoPeak("The dish's position is unknown: no reading just now.")
+        except BirdcageError as error:
+            self._failure = str(error)
+        self._end_search()
+
+    def _end_search(self) -> None:
+        if self._search is not None:
+            self._search.close()
+        self._search = self._begins = None
 
     def _ask(self, request: Request, busy: str) -> None:
         self._failure = ""
@@ -273,23 +333,6 @@ class Guide:
         if position is None or position.modelled:
             return "The dish's position is unknown: no reading just now."
         return ""
-
-
-def peak_at(
-    settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None, beam: Beam | None = None
-) -> MeasuredPeak:
-    """Return a peak by hand on a target with the dish as it was read. BirdcageError where the target is nowhere.
-
-    A positive `sigma_deg` is how well it was done; without it, as well as a person can.
-    """
-    observer, feed = observer_of(settings), settings.active_feed
-    az_deg, el_deg = expected(target, observer, position.utc, settings.tracking.refraction)
-    rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed, beam))
-    heard_db = SLOT_RISE_DB if isinstance(target, SlotTarget) else rise_db
-    sigma = sigma_by_hand(heard_db, beam) if sigma_deg is None else sigma_deg
-    return MeasuredPeak(
-        position.utc, target.name, az_deg, el_deg, position.dish_az_deg, position.dish_el_deg, sigma, "hand", rise_db
-    )
 
 
 def _off(seen: tuple[float, float], stands: tuple[float, float]) -> tuple[float, float]:

@@ -13,9 +13,12 @@ from birdcage.antenna.alignment import Alignment
 from birdcage.base.alignments import AlignmentSet
 from birdcage.base.errors import ConfigError
 from birdcage.base.geometry import separation, shortest_turn
-from birdcage.calibration.peak import MeasuredPeak
+from birdcage.calibration.candidates import expected
+from birdcage.calibration.peak import SLOT_RISE_DB, MeasuredPeak, sigma_by_hand
 from birdcage.calibration.terms import Priors, priors_of
 from birdcage.sky.observer import Observer
+from birdcage.sky.rise import Ear, expected_rise_db
+from birdcage.sky.targets.model import SlotTarget
 from birdcage.station.settings import rules_from
 
 if TYPE_CHECKING:
@@ -25,6 +28,8 @@ if TYPE_CHECKING:
     from birdcage.calibration.fit import Fit
     from birdcage.calibration.next_best import Proposal
     from birdcage.sky.reach_limits import ReachLimits
+    from birdcage.sky.targets.model import Target
+    from birdcage.station.state import Pointing
 
 SAME_DEG = 3.0
 """Nearer than this to a peak, another one tells little: what was wrong with the first is wrong with it too."""
@@ -110,6 +115,23 @@ def proposals_for(
         [each for each in found if not _beside(each, peaks)], peaks, priors_for(settings, peaks), alignment,
         (limits.el_floor_deg, limits.el_ceiling_deg),
     )  # fmt: skip
+
+
+def peak_at(
+    settings: Settings, target: Target, position: Pointing, sigma_deg: float | None = None, beam: Beam | None = None
+) -> MeasuredPeak:
+    """Return a peak by hand on a target with the dish as it was read. BirdcageError where the target is nowhere.
+
+    A positive `sigma_deg` is how well it was done; without it, as well as a person can.
+    """
+    observer, feed = observer_of(settings), settings.active_feed
+    az_deg, el_deg = expected(target, observer, position.utc, settings.tracking.refraction)
+    rise_db = expected_rise_db(target, target.look(observer, position.utc), Ear.of(feed, beam))
+    heard_db = SLOT_RISE_DB if isinstance(target, SlotTarget) else rise_db
+    sigma = sigma_by_hand(heard_db, beam) if sigma_deg is None else sigma_deg
+    return MeasuredPeak(
+        position.utc, target.name, az_deg, el_deg, position.dish_az_deg, position.dish_el_deg, sigma, "hand", rise_db
+    )
 
 
 def allowed_by(limits: ReachLimits) -> Callable[[float, float], bool]:

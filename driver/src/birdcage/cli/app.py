@@ -50,7 +50,7 @@ COMMANDS = {
     "get": "Read features of the dish.",
     "set": "Set a feature of the dish.",
     "rssi": "Print the signal strength, as often as it is told.",
-    "peak": "Find the middle of a satellite by its signal, and point there.",
+    "peak": "Find the peak of a satellite by its signal, and point there.",
     "sweep": "Measure the signal along an axis, and fit a beam to it.",
     "on-off": "Compare the signal of a source with the sky beside it.",
     "drift": "Let a source drift through the beam, and measure the beam.",

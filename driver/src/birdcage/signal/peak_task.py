@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from statistics import fmean
 
 from birdcage.base.geometry import wrap_360
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG, BeamFit, HeardDirection
@@ -12,7 +13,7 @@ from birdcage.signal.ear import Ears, fit_heard, own_tuner
 from birdcage.signal.listen import check_number, check_patterns, listen_at, neighbours_in
 from birdcage.station.task import ItemTask
 from birdcage.station.task_state import TaskValue
-from birdcage.tracking.steps import PointAt, Steps
+from birdcage.tracking.steps import PointAt, Steps, Wait
 
 SIDE = 5
 """Directions in a row of the grid, and rows."""
@@ -45,6 +46,8 @@ class PeakTask(ItemTask[tuple[float, float]]):
     source: str = ""
     ears: Ears = field(default=own_tuner, repr=False)
     _heard: list[HeardDirection] = field(default_factory=list, init=False)
+    _heard_s: list[float] = field(default_factory=list, init=False)
+    """When each direction was heard, POSIX seconds."""
     _fit: BeamFit | None = field(default=None, init=False)
 
     def __post_init__(self) -> None:
@@ -69,6 +72,7 @@ class PeakTask(ItemTask[tuple[float, float]]):
         heard = yield from listen_at(self._ear, *item, optional=self.partial)
         if heard is not None:
             self._heard.append(heard)
+            self._heard_s.append((yield Wait(0.0)).now_s)
 
     def finish(self) -> Steps:
         """Fit, and go to the middle of the source; to that of the grid if there is none."""
@@ -81,8 +85,11 @@ class PeakTask(ItemTask[tuple[float, float]]):
 
     @property
     def found(self) -> Mapping[str, TaskValue]:
-        """The middle of the source, with its standard deviation on the sky, its rise over the floor, and that."""
-        return {} if self._fit is None else self._fit.values()
+        """The middle of the source, with its standard deviation on the sky, its rise over the floor, and that.
+
+        `utc_s`: the middle of the time of listening, POSIX seconds: the Sun was there then.
+        """
+        return {} if self._fit is None else {**self._fit.values(), "utc_s": fmean(self._heard_s)}
 
     @property
     def end_words(self) -> str:

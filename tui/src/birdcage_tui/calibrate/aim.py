@@ -10,6 +10,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage_tui.calibrate.calibrate_words import aside, direction, put_wrapped
 from birdcage_tui.calibrate.lists import ObjectsPane
 from birdcage_tui.commands.mending import motion_mend
+from birdcage_tui.commands.signal import deaf
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut
 from birdcage_tui.shown.view import View
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
 LABEL = 12
 HEARD_S = 30.0
 """The highest signal is that of so long."""
+FOR_BUTTONS = 54
+"""Columns from which each button has all of its words."""
 HERE_DEG = 0.03
 """Nearer than this is here: the gears step in as much."""
 ARROWS = (("calibrate-left", "←"), ("calibrate-right", "→"), ("calibrate-up", "↑"), ("calibrate-down", "↓"))
@@ -33,8 +36,9 @@ class AimPane(Pane, can_focus=True):
     """Expected and read directions, how far it was nudged, what is heard; buttons below."""
 
     HELP = (
-        "n selects the next object, Enter goes there. Nudge until its signal is highest, then press Enter. Steps are "
-        "degrees on the sky. The dish uses the peaks so far, so each next object starts nearer."
+        "n selects the next object, Enter goes there. f finds its peak by the signal and saves it. By hand: nudge "
+        "until the signal is highest, then press Enter. Steps are degrees on the sky. The dish uses the peaks so "
+        "far, so each next object starts nearer."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
@@ -69,7 +73,11 @@ class AimPane(Pane, can_focus=True):
                 self.button(cells, x + 2, buttons, "calibrate-again", view)
         x = 1
         if guide.target and ObjectsPane.scope not in view.scopes:
-            x = self.button(cells, x, buttons + 1, "calibrate-take", view, "save peak")
+            peak = deaf(view) is None
+            narrow = peak and cells.width < FOR_BUTTONS
+            if peak:
+                x = self.button(cells, x, buttons + 1, "calibrate-find", view, "find" if narrow else "find the peak")
+            x = self.button(cells, x, buttons + 1, "calibrate-take", view, "save" if narrow else "save peak")
         if ObjectsPane.scope in view.scopes:
             self.button(cells, x, buttons + 1, "calibrate-object-go", view, "go there")
         else:
@@ -122,13 +130,23 @@ class AimPane(Pane, can_focus=True):
             ink, words = "dim", "Enter goes to the selected object."
         elif guide.target and not guide.busy and not view.moving:
             first = motion_mend(view)
-            ink, words = "dim", guide.may_not_take or "Nudge to the highest signal, then press Enter."
+            ink, words = "dim", guide.may_not_take or _how(view)
             words = words if first is None else f"{first.sentence}."
         else:
             return
         if y + 1 < end and cells.height >= 10:
             y += 1
         put_wrapped(cells, y, words, ink, rows=end - y)
+
+
+def _how(view: View) -> str:
+    """Say how the peak is found: by the signal, or by hand where nothing can be heard, and why."""
+    reason = deaf(view)
+    if reason is None and view.heard.of_dish:
+        return "f finds the peak by the signal, and saves it."
+    if reason is None and not view.signal_trouble:
+        return f"f finds the peak by the {view.heard.label}, and saves it."
+    return f"{reason or view.signal_trouble} Nudge to the highest signal, then press Enter."
 
 
 def _signal(view: View, since: float, width: int) -> str:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from birdcage.signal.peak_task import SIDE, SPACING
+
 from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
 if TYPE_CHECKING:
@@ -19,6 +21,17 @@ def begin() -> tuple[str, str, str]:
         "and the saved sets stay, and nothing moves. u restores the peaks while the app runs."
     )
     return "Delete all peaks", words, "delete them"
+
+
+def find(target: str, width_deg: float) -> tuple[str, str, str]:
+    """Return title, words and consent of finding the peak of an object by the signal."""
+    reach_deg = width_deg * SPACING * (SIDE - 1) / 2
+    words = (
+        f"The dish goes through {SIDE * SIDE} directions around here, up to {reach_deg:.1f}° to each side, and ends in "
+        "the middle of the source. That is saved as a peak, with its uncertainty. Without a source it comes back here, "
+        "and nothing is saved. Keep its swing clear. Space stops it."
+    )
+    return f"Find the peak of {target}", words, "area is clear: begin"
 
 
 def name(now: CalibrateNow | None) -> FieldsScreen:

@@ -16,7 +16,7 @@ WHY = (
     "A dish set up by hand points some degrees off, by different amounts over the sky. Peaks on known objects show how "
     "its base is turned, how it leans, and where the beam looks."
 )
-HOW = "n selects the next best object, Enter goes there. Nudge to the highest signal, then press Enter."
+HOW = "n selects the next best object, Enter goes there. f finds its peak by the signal and saves it."
 THEN = (
     "Two objects give the offsets, three the tilt, four or more the collimation. Then press a to save the fit and use "
     "it for all pointing."

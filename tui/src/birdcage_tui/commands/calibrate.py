@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 
+from birdcage_tui.commands.signal import can_find, deaf
 from birdcage_tui.commands.table import Command, Reason, always
 from birdcage_tui.shown.allowed import CommandContext, can_move, can_release
 
@@ -67,6 +68,18 @@ def can_take(context: CommandContext) -> str | None:
     return now.guide.may_not_take or _taken(now.guide)
 
 
+def can_find_peak(context: CommandContext) -> str | None:
+    """Return why the peak of the present object cannot be found by the signal."""
+    now = context.calibrate
+    if now is None or now.guide is None:
+        return can_calibrate(context)
+    if not now.guide.target:
+        return "No object yet. n: select the next best one."
+    if (reason := deaf(context)) is not None:
+        return f"{reason} Nudge to the highest signal by your own meter, or choose another source on F3."
+    return can_find(context) or now.guide.may_not_take or None
+
+
 def _taken(guide: GuideView) -> str | None:
     """Return the number of a peak on this object that was taken right here: the same again would count twice."""
     position = guide.position
@@ -123,6 +136,9 @@ CALIBRATE = (
             "Tabs", where=("setup",), page=PAGE),
     _at("take", ("enter",), "Enter", "Save peak",
         "The signal is highest here. Save the direction of dish and object.", refused=can_take, footer="save peak"),
+    _at("find", ("f",), "f", "Find the peak …",
+        "Find the peak of the object by the signal and save it: nothing is nudged. Asks first.", refused=can_find_peak,
+        footer="find peak"),
     _at("next", ("n",), "n", "Next object", "Select the next best object. Nothing moves until you press Enter.",
         refused=can_select, footer="next"),
     _at("again", ("m",), "m", "Current object",

@@ -10,11 +10,19 @@ from birdcage_tui.shown.pursuit import pursuit_of
 WHERE = ("signal",)
 
 
+def deaf(context: CommandContext) -> str | None:
+    """Return why nothing can be heard, whatever the dish does; None where there is a source."""
+    dish = context.state.dish
+    if context.heard.of_dish and dish is not None and not dish.has_rssi:
+        return f"The {dish.name} has no tuner to read."
+    return None
+
+
 def can_find(context: CommandContext) -> str | None:
     """Return why the dish cannot find the peak by itself now."""
     state = context.state
-    if context.heard.of_dish and state.dish is not None and not state.dish.has_rssi:
-        return f"The {state.dish.name} has no tuner to read. s chooses another source."
+    if (reason := deaf(context)) is not None:
+        return f"{reason} s chooses another source."
     if state.position is None or state.position_lost is not None:
         return can_step(context) or "Where the dish points is unknown. Home it first."
     if finding_now(state) is not None:

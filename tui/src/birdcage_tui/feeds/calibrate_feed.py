@@ -32,6 +32,9 @@ class CalibrateSource(Protocol):
     def nudge(self, right_deg: float, up_deg: float, done: Future[object]) -> None:
         """Step so far on the sky. `done` at the end of the way."""
 
+    def find(self, source: str, done: Future[object]) -> None:
+        """Have the station find the peak by that source of the signal, and save it. `done` at the end of the way."""
+
     def take(self) -> None:
         """Peaked here."""
 

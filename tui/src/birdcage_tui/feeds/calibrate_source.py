@@ -109,6 +109,15 @@ class GuideDesk:
 
         self._move(deed, done)
 
+    def find(self, source: str, done: Future[object]) -> None:
+        """Have the station find the peak by that source of the signal, and save it."""
+
+        def deed(guide: Guide) -> str:
+            guide.find_peak(source)
+            return ""
+
+        self._move(deed, done)
+
     def take(self) -> None:
         """Peaked here."""
 
@@ -236,6 +245,9 @@ class GuideDesk:
         now = self._clock.monotonic()
         if guide is not None:
             guide.tick()
+            peak = guide.take_found()
+            if peak is not None:
+                self._told, self._stale = f"Peak {peak.number} found and saved, ±{peak.sigma_deg:.2f}°.", True
             if not guide.busy and self._ways:
                 self._end_ways()
                 self._shown_at = float("-inf")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Container
@@ -41,8 +42,8 @@ class CalibratePage(Page):
 
     HELP = (
         "Peaks on known objects give the alignment of the dish. n selects the next best object, Enter goes there. "
-        "Nudge with the arrows until its signal is highest, then press Enter. Three objects give the tilt. a uses the "
-        "fit. All limits apply."
+        "f finds its peak by the signal and saves it. Without a tuner, nudge with the arrows until your own meter is "
+        "highest, then press Enter. Three objects give the tilt. a uses the fit. All limits apply."
     )
     DEFAULT_CSS = """
     CalibratePage { layout: vertical; }
@@ -164,6 +165,8 @@ class CalibratePage(Page):
                 source.nudge(right * step_deg, up * step_deg, self.host.begin_way())
             case "take":
                 source.take()
+            case "find":
+                self._ask_find(source)
             case "next":
                 self._select(0)
             case "again":
@@ -237,6 +240,18 @@ class CalibratePage(Page):
                 source.remove()
 
         self.app.push_screen(QuestionScreen(*ask.begin()), answered)
+
+    def _ask_find(self, source: CalibrateSource) -> None:
+        view = self.host.view()
+        guide = None if view.calibrate is None else view.calibrate.guide
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                source.find(view.heard.id, self.host.begin_way())
+
+        if guide is not None:
+            width_deg = ASSUMED_WIDTH_DEG if view.state.beam is None else view.state.beam.mean_deg
+            self.app.push_screen(QuestionScreen(*ask.find(guide.target, width_deg)), answered)
 
     def _ask_name(self, source: CalibrateSource) -> None:
         def answered(values: Values | None) -> None:

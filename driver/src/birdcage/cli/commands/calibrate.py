@@ -207,8 +207,8 @@ def add(
 
     TARGET is named as for `birdcage where`. The dish does not move.
     """
-    from birdcage.calibration.guide import peak_at
     from birdcage.calibration.peaks_file import add_peak, peaks_file
+    from birdcage.calibration.work import peak_at
     from birdcage.cli.calibrate_words import peak_values
     from birdcage.cli.named_target import find_target
     from birdcage.cli.say import say, tell_json

@@ -34,7 +34,7 @@ TAKES_S = 600.0
 def command(
     context: click.Context, target: tuple[str, ...], width_deg: float | None, calibrate: bool, source: str | None
 ) -> None:
-    """Find the middle of a source by its signal, and point there. Ctrl+C stops it.
+    """Find the peak of a source by its signal, and point there. Ctrl+C stops it.
 
     The dish goes through 25 directions around TARGET, or around where it points now, and reads the signal in each. A
     beam is fitted to all of them; the dish ends in its middle. Satellites of the arc that stand near by are fitted
@@ -88,18 +88,11 @@ def command(
 
 def _keep(target: tuple[str, ...], wants: Wanted, found: Mapping[str, TaskValue], position: Pointing) -> str:
     """Keep it as a peak of the calibration, and say so. StoreError where that can't be done."""
-    from dataclasses import replace
-
-    from birdcage.calibration.guide import peak_at
-    from birdcage.calibration.peak import LEAST_SIGMA_DEG
+    from birdcage.calibration.peak_search import peak_found
     from birdcage.calibration.peaks_file import add_peak, peaks_file
     from birdcage.cli.named_target import find_target
-    from birdcage.signal.acquired import dish_angles, number_of
 
     meant = find_target(target, wants.paths, None, lambda _words: None).target
-    az_deg, el_deg = dish_angles(position, number_of(found, "az_deg"), number_of(found, "el_deg"))
-    middle = replace(position, dish_az_deg=az_deg, dish_el_deg=el_deg)
-    sigma_deg = max(number_of(found, "sigma_deg"), LEAST_SIGMA_DEG)
-    peak = replace(peak_at(wants.settings, meant, middle, sigma_deg), found="rssi")
+    peak = peak_found(wants.settings, meant, position, found)
     kept = add_peak(peaks_file(wants.paths), peak)
     return f"Peak {kept.number} of the calibration: {kept.target}, good to {kept.sigma_deg:.2f}°."
