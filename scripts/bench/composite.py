@@ -3,11 +3,15 @@
 A braille sky (60x30) whose mark moves, a braille strip of the signal (150x10), 42 readouts in one widget and a console
 of six lines, fed by a thread 20 times a second and painted 10 times. A key changes one readout; `1` and `2` switch
 between two pages of this kind; Ctrl+Q quits.
+
+`composite.py signal` is the floor of F3 instead, fed 10 times a second: level and way to the peak (each 78x11), a strip
+of the last minute (150x18) and three lines of the receiver.
 """
 
 from __future__ import annotations
 
 import math
+import sys
 import threading
 import time
 from collections import deque
@@ -22,6 +26,7 @@ from textual.strip import Strip
 from textual.widget import Widget
 from textual.widgets import ContentSwitcher
 
+SIGNAL = sys.argv[1:] == ["signal"]
 FRAME_S = 0.1
 TELEMETRY_S = 0.05
 DOTS = ((0x01, 0x08), (0x02, 0x10), (0x04, 0x20), (0x40, 0x80))
@@ -81,10 +86,10 @@ def sky(az_deg: float, el_deg: float) -> list[str]:
     return dots.rows()
 
 
-def strip(levels: deque[float]) -> list[str]:
-    dots = Dots(150, 10)
+def strip(levels: deque[float], height: int = 10) -> list[str]:
+    dots = Dots(150, height)
     for x, level in enumerate(levels):
-        dots.dot(x, 39 - level * 39)
+        dots.dot(x, (height * 4 - 1) * (1.0 - level))
     return dots.rows()
 
 
@@ -98,15 +103,30 @@ class Board(Container):
         yield Lines(classes="console")
 
 
+class SignalBoard(Container):
+    """The page of the signal."""
+
+    def compose(self) -> ComposeResult:
+        yield Lines(classes="level")
+        yield Lines(classes="peak")
+        yield Lines(classes="strip")
+        yield Lines(classes="receiver")
+
+
 class Composite(App[None]):
     CSS = """
     Board { layout: grid; grid-size: 2; grid-columns: 62 1fr; grid-rows: 30 1fr; height: 1fr; }
     .strip { column-span: 1; width: 62; } .console { height: 6; }
+    SignalBoard { layout: grid; grid-size: 2; grid-rows: 11 18 3; height: 1fr; }
+    SignalBoard .strip { column-span: 2; width: 150; } .receiver { column-span: 2; }
     """
     AUTO_FOCUS = None
     BINDINGS = [Binding("ctrl+q", "quit", priority=True)]  # noqa: RUF012
 
     def compose(self) -> ComposeResult:
+        if SIGNAL:
+            yield SignalBoard()
+            return
         with ContentSwitcher(initial="one"):
             yield Board(id="one")
             yield Board(id="two")
@@ -124,7 +144,7 @@ class Composite(App[None]):
         while True:
             t = time.monotonic() - began
             self.post_message(Telemetry(t * 2 % 360, 40 + 10 * math.sin(t), 0.5 + 0.4 * math.sin(t * 3)))
-            time.sleep(TELEMETRY_S)
+            time.sleep(FRAME_S if SIGNAL else TELEMETRY_S)
 
     def on_telemetry(self, message: Telemetry) -> None:
         self.last = message
@@ -139,6 +159,9 @@ class Composite(App[None]):
         self.paint()
 
     def paint(self) -> None:
+        if SIGNAL:
+            self.paint_signal()
+            return
         board = self.query_one(ContentSwitcher).visible_content
         if board is None:
             return
@@ -150,6 +173,15 @@ class Composite(App[None]):
                 for row in range(14)]  # fmt: skip
         board.query_one(".readouts", Lines).show([f"pressed {self.pressed:06d}", *rows])
         board.query_one(".console", Lines).show(list(self.lines))
+
+    def paint_signal(self) -> None:
+        board, last = self.query_one(SignalBoard), self.last
+        bar = "█" * int(last.level * 74)
+        big = [" ".join(f"│{digit}│" * 2 for digit in f"{last.level * 100:5.1f}") for _ in range(5)]
+        board.query_one(".level", Lines).show([f"pressed {self.pressed:06d}", *big, f"{last.level:.3f}", *[bar] * 3])
+        board.query_one(".peak", Lines).show([f"{last.az_deg:.2f} {last.el_deg:.2f} {row}" for row in range(11)])
+        board.query_one(".strip", Lines).show(strip(self.levels, 18))
+        board.query_one(".receiver", Lines).show([f"lock {last.level:.2f} SNR {last.level:.1f} dB"] * 3)
 
 
 if __name__ == "__main__":

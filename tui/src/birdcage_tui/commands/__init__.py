@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from birdcage_tui.commands.calibrate import CALIBRATE
 from birdcage_tui.commands.cards import CARDS
@@ -60,6 +61,12 @@ def for_key(key: str, scopes: Sequence[str]) -> Command | None:
 
 def in_force(scopes: Sequence[str]) -> tuple[Command, ...]:
     """Return the commands that hold in these scopes: safety, then nearest first; one under a nearer key is left out."""
+    return _in_force(tuple(scopes))
+
+
+@lru_cache(maxsize=64)
+def _in_force(scopes: tuple[str, ...]) -> tuple[Command, ...]:
+    """Do it once for each place: the footer asks in every frame."""
     ranked = sorted(
         ((-1 if command in SAFETY else rank, command) for command in COMMANDS
          if (rank := _rank(command, scopes)) is not None),

@@ -153,8 +153,16 @@ class Braille:
     def line(self, x0: float, y0: float, x1: float, y1: float, ink: str, every: int = 1) -> None:
         """Draw a straight line, one dot in `every`."""
         steps = max(1, round(max(abs(x1 - x0), abs(y1 - y0))))
+        across, up, floor, inks = x1 - x0, y1 - y0, math.floor, self._inks
         for step in range(0, steps + 1, every):
-            self.dot(x0 + (x1 - x0) * step / steps, y0 + (y1 - y0) * step / steps, ink)
+            x, y = x0 + across * step / steps, y0 + up * step / steps
+            column, row = floor(x), floor(y)
+            if 0 <= column < self.width * 2 and 0 <= row < self.height * 4:
+                index = (row >> 2) * self.width + (column >> 1)
+                if inks[index] == ink:  # most dots of a curve: nothing to weigh
+                    self._bits[index] |= _DOT[row & 3][column & 1]
+                else:
+                    self.dot(x, y, ink)
 
     def circle(
         self, x: float, y: float, radius: float, ink: str, spacing: float = 0.0, dot_aspect: float = 1.0

@@ -10,6 +10,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.shown.allowed import can_move
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
+from birdcage_tui.widgets.scope import Scope
 
 LACKED = frozenset({"motor"})
 """Pages for hardware that none of the dishes has whose both axes this program moves."""
@@ -42,7 +43,8 @@ class PageBar(Pane):
         """Return the page that is seen, and the console while that is open."""
         screen = self.app.screen_stack[0]
         shown = (screen.query_one("#pages", ContentSwitcher).current or "").removeprefix("page-")
-        console = any(sheet.display for sheet in screen.query("ConsoleOverlay"))
+        beside = screen.query_one("#stage").children
+        console = any(each.display for each in beside if isinstance(each, Scope) and each.scope == "console")
         return {PARTS.get(shown, shown), *({"console"} if console else ())}
 
 
@@ -90,4 +92,5 @@ class KeyBar(Pane):
             self.heat(start, 0, len(pages), "help")
 
     def _pages_are_named(self) -> bool:
-        return any(bar.display for bar in self.app.screen_stack[0].query(PageBar))
+        bar = self.app.screen_stack[0].query_one_optional(PageBar)
+        return bar is not None and bar.display
