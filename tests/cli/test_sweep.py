@@ -74,3 +74,41 @@ def test_a_dish_that_does_not_tell_where_it_points_is_sent_to_the_named_target(r
     assert [line.split()[:2] for line in swept.stdout.splitlines()] == [
         ["180.00", "39.00"], ["180.00", "40.00"], ["180.00", "41.00"],
     ]  # fmt: skip
+
+
+BY_ITSELF = ("--by", "firmware")
+
+
+def test_the_firmware_sweeps_and_its_directions_are_lines_too(run):
+    result = run("sweep", "az", AZ_DEG, EL_DEG, "--span", 14, "--step", 2, *BY_ITSELF, "--transponders", 2)
+    assert result.exit_code == 0, result.stderr
+    *lines, last = result.stdout.splitlines()
+    assert len(lines) == 8
+    assert all(re.fullmatch(r" *[\d.]+ +[\d.]+ +[\d.]+ ±\d\.\d", line) for line in lines), lines
+    assert last.endswith("The tuner may be on another transponder now.")
+    assert float(last.split()[3].rstrip("°")) == pytest.approx(AZ_DEG, abs=0.4)
+
+
+def test_a_line_that_does_not_fit_on_both_sides_is_refused_in_words(run):
+    result = run("sweep", "el", AZ_DEG, EL_DEG, "--span", 16, *BY_ITSELF)
+    assert result.exit_code == 1
+    assert "must be free on both sides of where it begins" in result.stderr
+    assert "Nothing was sent." in result.stderr
+    assert not result.stdout
+
+
+def test_a_dish_that_does_not_sweep_by_itself_says_so(run):
+    result = run("sweep", "az", "60", "60", *BY_ITSELF, port="sim:hal205", firmware="hal205")
+    assert result.exit_code == 1
+    assert "has no sweep of its own. Sweep it by steps. Nothing was sent." in result.stderr
+
+
+@pytest.mark.parametrize(("words", "why"), [
+    (("--transponders", "3"), "--transponders needs --by firmware."),
+    ((*BY_ITSELF, "--source", "meter"), "hears by the dish's own tuner, not by meter."),
+    ((*BY_ITSELF, "--transponders", "33"), "33 is not in the range"),
+])  # fmt: skip
+def test_options_that_do_not_go_together_are_refused(run, words, why):
+    result = run("sweep", "az", *words)
+    assert result.exit_code == 2
+    assert why in " ".join(result.stderr.split())

@@ -87,14 +87,14 @@ def test_a_range_that_is_an_assumption_may_be_widened():
 def test_a_dish_that_is_said_to_wait_is_stopped_at_the_end_of_its_move():
     said, wrong = laid_by_owner(G2, {"second_same": "block", "second_other": "block"})
     assert wrong == ()
-    assert [rung.means for rung in said.stop_ladder] == ["end of move", "release", "power"]
-    assert [rung.means for rung in G2.stop_ladder] == ["retarget", "release", "power"]
+    assert [rung.means for rung in said.stop_ladder] == ["end of move", "release", "key", "power"]
+    assert [rung.means for rung in G2.stop_ladder] == ["retarget", "release", "key", "power"]
 
 
 def test_its_own_stop_command_stays_where_it_is_on_the_ladder():
     command = Rung(means=StopMeans.COMMAND, ends=EVERY_MOVE, proven=True, sentence="it halts")
     first = OwnFacts().that_waits(UTC_NOW).on(replace(G2, stop_ladder=(command, *G2.stop_ladder)))
-    assert [rung.means for rung in first.stop_ladder] == ["command", "end of move", "release", "power"]
+    assert [rung.means for rung in first.stop_ladder] == ["command", "end of move", "release", "key", "power"]
 
 
 def test_the_owner_goes_before_what_was_learnt_and_that_before_the_kind():

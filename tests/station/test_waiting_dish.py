@@ -84,7 +84,7 @@ def test_while_it_waits_it_is_shown_on_its_way_and_busy_with_the_last_move():
 def test_it_is_learnt_at_the_first_late_answer():
     bench = settled()
     assert bench.state.dish.second_same is bench.state.dish.second_other is SecondMove.BLOCK
-    assert [rung.means for rung in bench.state.dish.stop_ladder] == ["end of move", "release", "power"]
+    assert [rung.means for rung in bench.state.dish.stop_ladder] == ["end of move", "release", "key", "power"]
 
 
 def test_from_then_on_one_axis_is_sent_when_the_other_stands_so_that_it_answers_at_once():

@@ -17,6 +17,7 @@ from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.rotator import LineStatus, Rotator
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, MOTOR_SKEW, Look, Position, Survey, Taken
 
 MOST_MISSED_DEG = 1.0
@@ -132,6 +133,10 @@ class AzEl:
         own = [axis.name for axis in self._rotator.facts.axes if mapped and motor == MOTOR_AZIMUTH]
         for name in own if mapped else [self._rotator.facts.numbered[motor].name]:
             self._rotator.home(name)
+
+    def sweep(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:
+        """See `Rotator`."""
+        self._rotator.sweep(order, hear)
 
     def by_number(self, values: Mapping[str, float]) -> dict[int, float]:
         """Return what the machine tells of its axes."""

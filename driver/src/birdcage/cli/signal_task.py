@@ -27,14 +27,17 @@ if TYPE_CHECKING:
 LINK_TOLD_S = 0.3
 
 
-def ready_dish(dish: StationCommand, source: str, *, named: bool) -> tuple[Pointing | None, float]:
+def ready_dish(dish: StationCommand, source: str | None, *, named: bool) -> tuple[Pointing | None, float]:
     """Wait for a dish that can be led by this source; return where it points, and the width of its beam or 0.
 
     A dish that tells where it points only once it has moved has None, where a target is `named` to send it to.
-    CommandRefused where the source is the dish's own tuner, and it has none; what `need_position` raises.
+    `source` None: it is to sweep and listen by itself. CommandRefused where it can't, or where the source is the dish's
+    own tuner, and it has none; what `need_position` raises.
     """
     dish.come_up(15.0)
     facts, beam = dish.state.dish, dish.state.beam
+    if source is None and facts is not None and facts.no_sweep:
+        raise CommandRefused(f"{facts.no_sweep} Nothing was sent.", reason=Reason.UNSUPPORTED)
     if source == OWN_TUNER and facts is not None and not facts.has_rssi:
         words = f"The {facts.name} has no tuner to read. With --source your receiver is heard. Nothing was sent."
         raise CommandRefused(words, reason=Reason.UNSUPPORTED)

@@ -81,3 +81,16 @@ def no_reply(port: str, command: str, seen: bytes, waited_s: float, *, busy: boo
         "may be starting or busy, or bytes were lost.",
         reason=Reason.BLOCKED,
     )
+
+
+def fell_silent(port: str, command: str, lines: int, silent_s: float) -> NoReply:
+    """Say of a command that printed some lines, and then nothing more and no prompt, what may have happened.
+
+    The adapter is there: a port that is gone is a LinkError.
+    """
+    return NoReply(
+        f"The dish fell silent on {port}: `{command}` printed {lines} lines, then nothing for {silent_s:.0f} s, and no "
+        "prompt. The adapter is still there. Its shell may be deadlocked, which only a power cycle ends; or its power "
+        "or the cable at the dish is out.",
+        reason=Reason.SILENT,
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from birdcage.base.errors import NoReply
-from birdcage.console.diagnosis import no_reply, stranger
+from birdcage.console.diagnosis import fell_silent, no_reply, stranger
 from birdcage.console.events import LineSink, Reply
 from birdcage.console.late import LATE, LateLines
 from birdcage.console.wire import Wire
@@ -126,6 +126,35 @@ class Exchanges:
             if strange is not None:
                 raise strange
             raise no_reply(wire.link.name, line, bytes(wire.seen), timeout_s, busy=busy_s > 0.0)
+        return reply
+
+    def relay(self, line: str, on_line: LineSink, quiet_s: float, permit: Callable[[], None] | None) -> Reply:
+        """Send one line and return its reply, however long that prints. See `Console.relay`."""
+        wire, clock = self._wire, self._clock
+        sent = heard_at = clock.monotonic()
+        ticket, lines = wire.send(line, quiet_s, permit), 0
+
+        def hear(text: str) -> None:
+            nonlocal lines, heard_at
+            lines, heard_at = lines + 1, clock.monotonic()
+            on_line(text)
+
+        try:
+            while (reply := wire.taken(ticket)) is None:
+                if not wire.pump(heard_at + quiet_s + self._delay_s, ticket, hear):
+                    wire.idle(ticket, hear)
+                    reply = wire.taken(ticket)
+                    break
+        except BaseException:
+            wire.forget(ticket)
+            raise
+        self.answered = 0 if reply is None else self.answered + 1
+        if reply is None:
+            wire.forget(ticket)
+            if lines:
+                raise fell_silent(wire.link.name, line, lines, clock.monotonic() - heard_at)
+            raise no_reply(wire.link.name, line, bytes(wire.seen), clock.monotonic() - sent)
+        self.took_s = clock.monotonic() - sent
         return reply
 
     def _is_answered_by(self, until: float, ticket: int, on_line: LineSink | None) -> bool:

@@ -346,6 +346,25 @@ class Console:
             raise refusal
         return reply
 
+    def relay(
+        self, menu: str, command: str, on_line: LineSink, quiet_s: float, permit: Callable[[], None] | None = None
+    ) -> Reply:
+        """Run a command that prints at its own pace, and let `on_line` hear its lines, until it is over.
+
+        However long that takes: NoReply only when nothing came for `quiet_s` and the delay, and nothing more is sent
+        then. Else as `run`.
+        """
+        self._check(command)
+        self.enter(menu)
+        if self._wire.lost:
+            self._menus.resume()
+        reply = self._exchanges.relay(command.strip(), on_line, quiet_s, permit)
+        if (refusal := self.refusal(reply)) is not None:
+            raise refusal
+        if reply.menu != menu:
+            raise self._from_elsewhere(menu, reply)
+        return reply
+
     def overhear(self, hear: Callable[[bytes], None]) -> None:
         """Have all bytes heard as they come, beside what is made of them here; on the owner's thread."""
         self._wire.on_bytes = hear

@@ -22,6 +22,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.readings import settled
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import (
     MOTOR_AZIMUTH,
     MOTOR_ELEVATION,
@@ -304,6 +305,13 @@ class FirmwareProtocol(ABC):
     def stow(self) -> None:
         """Fold the dish flat, as the firmware does it. CommandRefused (`unsupported`) where it does not."""
         raise self._lacks("stowing")
+
+    def sweep_axis(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:  # noqa: ARG002
+        """Have the firmware sweep an axis from where it stands; `hear` is given each reading, None for an unread line.
+
+        CommandRefused (`unsupported`) on a firmware without a sweep of its own.
+        """
+        raise self._lacks(f"sweeping its {order.axis} by itself")
 
     def read_speeds(self) -> dict[int, float]:
         """Read the greatest speed in force of each axis, by motor number, in deg/s; empty if it is not told."""

@@ -19,6 +19,7 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import LineStatus
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Look, Survey, Taken
 
 _ANSWER = re.compile(r"=\s*\S|^\s*\S(\s|$)|>\s*$")
@@ -176,6 +177,10 @@ class MenuRotator:
     def stow(self) -> None:
         """See `Rotator`."""
         self.protocol.stow()
+
+    def sweep(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:
+        """See `Rotator`."""
+        self.protocol.sweep_axis(order, hear)
 
     def release_motors(self, permit: Callable[[], None]) -> None:
         """See `Rotator`."""

@@ -13,6 +13,7 @@ from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import MoveKind, Rung
 from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
+from birdcage.rotator.sweep import OwnSweep
 from birdcage.rotator.wiring import Adapter, Connector
 
 MOST_AXES = 3
@@ -163,6 +164,8 @@ class Facts:
     has_motor_power: bool = False
     """Whether its motors can be released and engaged by command."""
     has_stow: bool = False
+    sweep: OwnSweep | None = None
+    """Whether it can sweep an axis by itself and tell the signal meanwhile; `no_sweep` says so of one that can't."""
     readback: Readback
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
@@ -274,6 +277,11 @@ class Facts:
         if self.never_homes:
             return f"The {self.name} has no homing."
         return f"The {self.name} homes only at power-up. Switch it off and on."
+
+    @property
+    def no_sweep(self) -> str:
+        """Why it is not told to sweep by itself, and what to do instead; empty if it can be."""
+        return "" if self.sweep is not None else f"The {self.name} has no sweep of its own. Sweep it by steps."
 
     @cached_property
     def no_direction(self) -> str:

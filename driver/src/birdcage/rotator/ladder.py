@@ -18,6 +18,8 @@ class MoveKind(Enum):
     STOW = "stow"
     SEARCH = "search"
     """For TV satellites, of its own accord."""
+    SWEEP = "sweep"
+    """Along an axis, by the machine itself (`Facts.sweep`)."""
 
 
 EVERY_MOVE = frozenset(MoveKind)
@@ -32,6 +34,8 @@ class StopMeans(StrEnum):
     """A byte that ends a combined move."""
     COMMAND = "command"
     """The machine's own command for it."""
+    KEY = "key"
+    """A key, which may end what the machine does by itself."""
     WAIT = "end of move"
     """Nothing ends it: it stops at its target, and nothing follows it."""
     RELEASE = "release"
@@ -51,7 +55,7 @@ class StopMeans(StrEnum):
     @property
     def is_sent(self) -> bool:
         """Whether something goes to the machine that is to end a motion by itself."""
-        return self in (StopMeans.RETARGET, StopMeans.ABORT, StopMeans.COMMAND, StopMeans.SEARCH)
+        return self in (StopMeans.RETARGET, StopMeans.ABORT, StopMeans.COMMAND, StopMeans.KEY, StopMeans.SEARCH)
 
     @property
     def is_undecided(self) -> bool:

@@ -10,11 +10,12 @@ from birdcage.base.beam import CountedBeam, Reflector
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import Facts, SilentSlew
 from birdcage.rotator.origin import Origin
+from birdcage.rotator.sweep import OwnSweep
 
 AXES = ("azimuth", "elevation", "skew")
 UNITS = {"_deg_s2": "deg/s2", "_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s": "s", "_m": "m"}
 """By the end of a name, the longest first."""
-_PARTS = (Axis, CableRange, SilentSlew, Reflector, CountedBeam)
+_PARTS = (Axis, CableRange, SilentSlew, OwnSweep, Reflector, CountedBeam)
 """What is listed field by field; sentences, plugs and tables are no facts of this kind."""
 _LEFT_OUT = {f"{axis}.{key}" for axis in AXES for key in ("name", "role", "turn_by", "speed_known")}
 """How the others are to be taken, and no facts of their own."""

@@ -13,6 +13,7 @@ from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import LineStatus
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Survey
 
 
@@ -90,6 +91,10 @@ class PlainRotator:
     def stow(self) -> None:
         """It does not fold."""
         raise self._lacks("stow position")
+
+    def sweep(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:  # noqa: ARG002
+        """It has none of its own."""
+        raise self._lacks("sweep of its own")
 
     def release_motors(self, permit: Callable[[], None]) -> None:  # noqa: ARG002
         """Its motors keep their current."""

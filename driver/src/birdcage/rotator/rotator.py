@@ -12,6 +12,7 @@ from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
 from birdcage.rotator.raw import RawLines
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Look, Survey, Taken
 
 
@@ -157,6 +158,13 @@ class Rotator(Protocol):
 
     def stow(self) -> None:
         """Fold flat, as the machine does it."""
+
+    def sweep(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:
+        """Sweep an axis as the machine does it (`Facts.sweep`); returns when it is over.
+
+        `hear` is given each reading as it comes, None for a line that can't be read. PositionUnknown, and nothing is
+        sent, where an axis is not homed; NoReply when it stops telling.
+        """
 
     def release_motors(self, permit: Callable[[], None]) -> None:
         """Take the current off the motors; `permit` instead of the owner's own, as STOP may do this too."""

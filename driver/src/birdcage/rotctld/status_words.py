@@ -12,6 +12,7 @@ AT_LIMIT_DEG = 0.1
 """So near to a limit the dish stands at it: it rests up to 0.06 deg from where it was sent, and a step on top."""
 MOVING_TO_DEG = 0.1
 """An axis that has no further to go than this does not count as moving."""
+BUSY_WITH = (Activity.HOMING, Activity.STOWING, Activity.SWEEPING, Activity.INITIALIZING)
 
 
 def status_words(state: StationState, *, busy: bool) -> tuple[str, ...]:
@@ -20,7 +21,7 @@ def status_words(state: StationState, *, busy: bool) -> tuple[str, ...]:
     Which axis moves, and which way, is told where this program has sent the dish; for any other motion MOVING stands
     alone. A limit of the cable is told where its turn is known. OVERLAP is never said: nothing here knows of one.
     """
-    words = {"BUSY"} if busy or state.activity in (Activity.HOMING, Activity.STOWING, Activity.INITIALIZING) else set()
+    words = {"BUSY"} if busy or state.activity in BUSY_WITH else set()
     here = known_position(state)
     if state.activity in MOVING:
         words |= {"MOVING", *(_moving(state, here) if here is not None else ())}

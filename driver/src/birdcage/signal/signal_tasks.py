@@ -9,6 +9,7 @@ from pathlib import Path
 from birdcage.signal.acquire_task import AcquireTask
 from birdcage.signal.drift_task import DriftTask
 from birdcage.signal.ear import Ears, own_tuner
+from birdcage.signal.firmware_sweep_task import FirmwareSweepTask
 from birdcage.signal.on_off_task import OnOffTask
 from birdcage.signal.peak_task import PeakTask
 from birdcage.signal.sidereal_memory import SiderealMemory
@@ -22,7 +23,7 @@ def signal_tasks(ears: Ears = own_tuner, memory: Path | None = None) -> Mapping[
 
     `ears`: what it may hear by. `memory`: the file of what step-track remembers; None: this session only.
     """
-    kinds = (PeakTask, SweepTask, AcquireTask, OnOffTask, DriftTask)
+    kinds = (PeakTask, SweepTask, FirmwareSweepTask, AcquireTask, OnOffTask, DriftTask)
     return {
         **{task.kind: partial(task, ears=ears) for task in kinds},
         StepTrackTask.kind: partial(StepTrackTask, ears=ears, memory=SiderealMemory(memory)),

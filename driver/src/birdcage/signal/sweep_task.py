@@ -81,12 +81,15 @@ class SweepTask(ItemTask[tuple[float, float]]):
 
     def finish(self) -> Steps:
         """Fit, and go to the middle of the source or of the line."""
-        patterns = [neighbours_in(row) for row in self.patterns]
-        self._fit = fit_heard(self._heard, self._ear, self.width_deg or None, patterns, self.axis)
+        self._fit = self._fitted()
         if self._fit is not None and self.go:
             yield PointAt(self._fit.az_deg, self._fit.el_deg)
         else:
             yield PointAt(self.az_deg, self.el_deg, optional=True)
+
+    def _fitted(self) -> BeamFit | None:
+        patterns = [neighbours_in(row) for row in self.patterns]
+        return fit_heard(self._heard, self._ear, self.width_deg or None, patterns, self.axis)
 
     @property
     def found(self) -> Mapping[str, TaskValue]:

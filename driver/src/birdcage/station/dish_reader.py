@@ -21,7 +21,7 @@ from birdcage.rotator.facts import CableTurn, Facts, SearchSwitch
 from birdcage.rotator.feature import RSSI, VERSION, Reading, speed_of
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import laid_by_owner
-from birdcage.rotator.values import Survey
+from birdcage.rotator.values import Position, Survey
 from birdcage.station.events import PositionRead
 from birdcage.station.settings import Rules, StationSettings
 from birdcage.station.signals import Signals
@@ -151,6 +151,20 @@ class DishReader:
         pointing = Pointing(wrap_360(az_deg), el_deg, dish.azimuth, dish.elevation, told.at, utc)
         self._store.change(position=pointing, position_lost=None, position_text="")
         self._store.tell(PositionRead(told.at, utc, pointing))
+        return pointing
+
+    def swept(self, dish: Position) -> Pointing:
+        """Take in, and show, where a dish that sweeps by itself has told that it is."""
+        gate = self._antenna.gate
+        gate.see(dish)
+        at, utc = self._store.stamp()
+        az_deg, el_deg = self._antenna.alignment.to_true(dish.azimuth, dish.elevation)
+        pointing = Pointing(
+            wrap_360(az_deg), el_deg, dish.azimuth, dish.elevation, at, utc, cable_deg=gate.cable_deg,
+            skew_deg=dish.skew,
+        )  # fmt: skip
+        self._store.change(position=pointing)
+        self._store.tell(PositionRead(at, utc, pointing))
         return pointing
 
     @staticmethod

@@ -25,6 +25,7 @@ from birdcage.station.raw_effects import RawEffects
 from birdcage.station.state import Activity, LinkPhase
 
 LONGEST_LINE = 120
+BUSY = (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING, Activity.SWEEPING, Activity.HOMING)
 """Characters. No command that is known needs a third of it, and what a firmware does with more is unknown."""
 
 
@@ -159,7 +160,7 @@ class RawConsole:
         """Take the lease and the wire; return the menu that the dish is in, where it has any."""
         self._parts.require_link("nothing is sent")
         state = self._store.state
-        busy = state.activity in (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING, Activity.HOMING)
+        busy = state.activity in BUSY
         if busy or self._mover.is_moving or self._stopper.is_pending:
             raise CommandRefused(
                 "birdcage is moving the dish and must hear it. Wait until it rests, or STOP. Nothing was sent.",

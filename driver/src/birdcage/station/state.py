@@ -46,6 +46,8 @@ class Activity(Enum):
     STOPPING = "stopping"
     HOMING = "homing"
     STOWING = "stowing"
+    SWEEPING = "sweeping"
+    """Along an axis, by itself (`Facts.sweep`)."""
     INITIALIZING = "initializing"
     FOLLOWING = "following"
     """Kept on a target by a pursuit."""
@@ -59,6 +61,7 @@ MOVING = frozenset(
         Activity.STOPPING,
         Activity.HOMING,
         Activity.STOWING,
+        Activity.SWEEPING,
         Activity.MOVING_UNASKED,
     }
 )

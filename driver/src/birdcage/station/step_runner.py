@@ -7,7 +7,7 @@ from collections import deque
 from concurrent.futures import Future
 
 from birdcage.antenna.motion import DishMotion
-from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown, Stopped
+from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
 from birdcage.station.dish_exchanges import DishExchanges
@@ -17,8 +17,10 @@ from birdcage.station.queued_mover import STILL_S
 from birdcage.station.signal_excursion import SignalExcursion
 from birdcage.station.speed_restorer import SpeedRestorer
 from birdcage.station.state import Activity, Motion, Pointing
+from birdcage.station.sweep_exchange import SweepExchange
 from birdcage.station.unsure_move import UnsureMove, over_at
 from birdcage.tracking.steps import (
+    CheckSweep,
     Hear,
     HomeAxis,
     LimitSpeeds,
@@ -28,6 +30,7 @@ from birdcage.tracking.steps import (
     SlewTo,
     Step,
     StepResult,
+    SweepAxis,
     TakeReferences,
     Wait,
     WriteFeature,
@@ -39,13 +42,10 @@ MOST_LOST = 2
 ROUNDING_DEG = 0.1
 """A command this little beyond the limit of elevation means the limit: an axis overshoots by 0.06
 (`docs/reference/consoles.md`, *Overshoot*)."""
-MOST_UNSURE = 3
-"""So many answers in a row that tell nothing make one look whether the dish moves."""
 MOST_LATE = 3
 """So many answers in a row that were not waited for count as one that was lost."""
 ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
-
 
 LOST = "The dish no longer knows where it points. Home it first."
 STALE_S = 1.2
@@ -61,7 +61,7 @@ class StepRunner:
         self._store, self._antenna, self._signals = parts.store, parts.antenna, parts.signals
         self._reader, self._mover = parts.reader, parts.mover
         self._excursion = SignalExcursion(parts.store, parts.antenna, parts.reader, parts.watches)
-        self._exchanges = DishExchanges(parts)
+        self._exchanges, self.sweeping = DishExchanges(parts), SweepExchange(parts)
         self.holder, self.speeds = holder, speeds
         self.step: Step | None = None
         self.hurry = False
@@ -73,8 +73,6 @@ class StepRunner:
         self._lost = self._late = 0
         self._unsure = 0
         """How many commands in a row were answered with nothing known."""
-        self._stood: Pointing | None = None
-        """Where the dish was at the last reading."""
         self._az_deg: float | None = None
         """Where the azimuth was sent last, unrolled."""
         self._ends_at = 0.0
@@ -97,7 +95,7 @@ class StepRunner:
     @property
     def moves(self) -> bool:
         """Whether the step may move the dish, and needs the lease."""
-        return isinstance(self.step, Send | SlewTo | PointAt | LimitSpeeds | HomeAxis)
+        return isinstance(self.step, Send | SlewTo | PointAt | LimitSpeeds | HomeAxis | SweepAxis)
 
     def due(self, now: float) -> float | None:
         """Return when to go on with the step, `now` for at once, in monotonic seconds; None while the mover has it."""
@@ -116,7 +114,7 @@ class StepRunner:
         """A task begins, or goes on."""
         self.step, self._arrival, self._lost, self._late = None, None, 0, 0
         self._ends_at, self._shown_at = 0.0, -math.inf
-        self._long = self._stood = None
+        self._long = None
         self._unsure_move.forget()
         self._unsure = 0
         self._excursion.forget()
@@ -159,6 +157,10 @@ class StepRunner:
             return self._limit(step)
         if isinstance(step, HomeAxis):
             self._exchanges.home(step.axis)
+        elif isinstance(step, CheckSweep):
+            self.sweeping.check(step)
+        elif isinstance(step, SweepAxis):
+            return self._swept(step)
         elif isinstance(step, TakeReferences):
             self._exchanges.take_references(whole=step.whole)
         elif isinstance(step, ReadFeatures | WriteFeature):
@@ -290,17 +292,6 @@ class StepRunner:
         self._long, self._arrival = self._arrival, None
         return StepResult(self.now_s)
 
-    def _see_it_follow(self, here: Pointing) -> None:
-        """Raise Stopped (`not_taken`) where the dish tells nothing of the commands that it gets, and does not move."""
-        before, self._stood = self._stood, here
-        motion = self._antenna.motion
-        if before is None or motion is None or self._unsure < MOST_UNSURE or not self._reader.is_still(here, before):
-            return
-        az_deg, el_deg = motion.rest
-        if max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg)) > ARRIVED_DEG:
-            said = " / ".join(sorted({answer.said for answer in self._antenna.commands.answers.values()}))
-            raise Stopped(f"The dish answers {said!r} to its commands, and does not move.", reason=Reason.NOT_TAKEN)
-
     def _show(self) -> None:
         """Show where it was sent, and what stops it."""
         antenna, clock, here = self._antenna, self._store.clock, self._store.state.position
@@ -361,6 +352,14 @@ class StepRunner:
             true_az_deg=here.az_deg, true_el_deg=here.el_deg,
         )  # fmt: skip
 
+    def _swept(self, step: SweepAxis) -> StepResult | None:
+        if self._arrival is None:
+            self._arrival = self.sweeping.run(step, self.holder)
+        if not self._arrival.done():
+            return None
+        self._arrival.result(0)
+        return StepResult(self.now_s, unread=self.sweeping.unread)
+
     def _go(self, az_deg: float, el_deg: float) -> None:
         azimuth, gate = self._antenna.model.azimuth, self._antenna.gate
         limit = gate.nearest_el_deg(el_deg)
@@ -391,7 +390,7 @@ class StepRunner:
             self._show()
         if pointing is None:
             raise PositionUnknown(LOST, reason=Reason.UNHOMED)
-        self._see_it_follow(pointing)
+        self._unsure_move.see_it_follow(pointing, self._unsure)
         now_s = self.now_s
         az_deg = self.unrolled(pointing.dish_az_deg)
         if self._az_deg is None:

@@ -12,6 +12,7 @@ from birdcage.rotator.ladder import StopOrder
 from birdcage.station.state import Motion, Pointing, StopReport
 
 SHORT_DEG = 0.5
+GOES_ON = "The sweep goes on to its end: nothing else is known to stop it but the power of the dish."
 
 
 class StopReach(Enum):

@@ -120,6 +120,9 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
         case Activity.HOMING:
             none = and_else(dish, "Homing has no STOP. {emergency}.", "Homing: no STOP but the {switch}")
             return ("STOP ends the homing",) if dish is not None and dish.homing_stoppable else none
+        case Activity.SWEEPING:
+            return and_else(dish, "STOP sends a key; the sweep may go on to its end. {emergency}.",
+                            "STOP may wait for the sweep's end")  # fmt: skip
         case Activity.INITIALIZING:
             return and_else(dish, "There is no STOP at start-up. {emergency}.", "No STOP but the {switch}")
         case Activity.IDLE if state.held is not None:

@@ -21,7 +21,7 @@ from birdcage.station.events import End, StopConfirmed, StopSent
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Pointing, StopReport, TvSearch
 from birdcage.station.state_store import StateStore
-from birdcage.station.stop_pending import PendingStop, StopReach
+from birdcage.station.stop_pending import GOES_ON, PendingStop, StopReach
 
 MOST_REPEATS = 5
 COALESCE_S = 0.2
@@ -32,7 +32,7 @@ READINGS = 4
 """So many exchanges it takes at most until two positions that can be believed agree."""
 RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
 UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
-BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing"}
+BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing", MoveKind.SWEEP: "Sweeping"}
 LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
 """What a dish in motion shows to work, or not."""
 OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
@@ -163,6 +163,13 @@ class Stopper:
         if self._pending is not None:
             self.due = self._store.clock.monotonic()
 
+    def sweep_goes_on(self) -> None:
+        """A sweep has told another reading since STOP: after the time that it may take, that did not end it."""
+        pending, now = self._pending, self._store.clock.monotonic()
+        if pending is not None and pending.report.confirmed is None and now > pending.deadline:
+            pending.report = replace(pending.report, confirmed=False, sentence=GOES_ON)
+            self._publish(pending.report, sent=False)
+
     def tick(self) -> None:
         """Wait for the answer, repeat without one, then watch the dish come to rest."""
         pending = self._pending
@@ -216,7 +223,6 @@ class Stopper:
                 f"{pending.note}Stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
                 f"{now - pending.report.at:.1f} s after STOP.",
             )  # fmt: skip
-
         if self._pending is pending and pending.still_from is not None:
             # An answer that is asked for a little too soon proves nothing, and keeps the wire from one that would.
             proof_at = self._proof_at(pending, pending.still_from)

@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 from birdcage.antenna.motion import AxisMotion
+from birdcage.base.errors import Stopped
+from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
+from birdcage.station.mover import ARRIVED_DEG
 from birdcage.station.parts import Parts
 from birdcage.station.queued_mover import ASTRAY_S
 from birdcage.station.state import Pointing
+
+MOST_UNSURE = 3
+"""So many answers in a row that tell nothing make one look whether the dish moves."""
 
 
 class UnsureMove:
@@ -17,10 +24,26 @@ class UnsureMove:
         """When it must be over; None if the last answer tells what the dish does."""
         self._seen: Pointing | None = None
         """The last reading since then."""
+        self._stood: Pointing | None = None
+        """Where the dish was at the last reading of a stream."""
 
     def forget(self) -> None:
         """Another task begins, or goes on."""
-        self._since = self._seen = None
+        self._since = self._seen = self._stood = None
+
+    def see_it_follow(self, here: Pointing, unsure: int) -> None:
+        """Raise Stopped (`not_taken`) where the dish tells nothing of the commands that it gets, and does not move.
+
+        `unsure`: how many commands in a row were answered with nothing known.
+        """
+        before, self._stood = self._stood, here
+        motion = self._antenna.motion
+        if before is None or motion is None or unsure < MOST_UNSURE or not self._parts.reader.is_still(here, before):
+            return
+        az_deg, el_deg = motion.rest
+        if max(abs(shortest_turn(az_deg, here.dish_az_deg)), abs(el_deg - here.dish_el_deg)) > ARRIVED_DEG:
+            said = " / ".join(sorted({answer.said for answer in self._antenna.commands.answers.values()}))
+            raise Stopped(f"The dish answers {said!r} to its commands, and does not move.", reason=Reason.NOT_TAKEN)
 
     @property
     def is_open(self) -> bool:

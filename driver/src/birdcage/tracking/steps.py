@@ -7,7 +7,7 @@ clock scales them all; azimuths are the dish's own, unrolled: the turn of the ca
 
 from __future__ import annotations
 
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import TypeAlias
@@ -105,6 +105,28 @@ class WriteFeature:
     value: Value
 
 
+@dataclass(frozen=True, slots=True)
+class CheckSweep:
+    """Judge the sweep that is to begin at a true direction, before anything is sent for it."""
+
+    az_deg: float
+    el_deg: float
+    sweep: SweepAxis
+
+
+@dataclass(frozen=True, slots=True)
+class SweepAxis:
+    """Have the machine sweep an axis by itself from where it stands; go on at rest at its end."""
+
+    axis: int
+    """Motor number."""
+    span_deg: float
+    step_deg: float
+    transponders: int
+    hear: Callable[[float, float, float], None]
+    """Takes each reading as it comes: true azimuth, elevation, level."""
+
+
 Step: TypeAlias = (
     Wait
     | Send
@@ -117,6 +139,8 @@ Step: TypeAlias = (
     | TakeReferences
     | ReadFeatures
     | WriteFeature
+    | CheckSweep
+    | SweepAxis
 )
 
 
@@ -138,6 +162,8 @@ class StepResult:
     true_az_deg: float | None = None
     """Of a `PointAt` or `SlewTo`: where the dish was read at its end, in true degrees."""
     true_el_deg: float | None = None
+    unread: int = 0
+    """Of a `SweepAxis`: how many lines could not be read."""
 
     def is_lost(self, step: Step) -> bool:
         """Return whether the dish's answer to a step was lost, or came too late."""

@@ -148,6 +148,8 @@ def _unplanned(view: View) -> str | None:
         return f"Homing {state.activity_text}".rstrip() + "."
     if activity is Activity.STOWING:
         return "Stowing. No STOP is documented for it."
+    if activity is Activity.SWEEPING:
+        return f"It sweeps its {state.activity_text} by itself."
     if activity is Activity.INITIALIZING:
         return "The dish is starting."
     if activity is Activity.STOPPING:

@@ -23,6 +23,7 @@ ACTIVITY = {
     Activity.STOPPING: "STOPPING",
     Activity.HOMING: "HOMING",
     Activity.STOWING: "STOWING",
+    Activity.SWEEPING: "SWEEPING",
     Activity.INITIALIZING: "STARTING",
     Activity.MOVING_UNASKED: "MOVES!",
     Activity.FOLLOWING: "FOLLOW",

@@ -169,6 +169,8 @@ class MotionStrategy(ABC):
             if rung.ends_what_it_is_busy_with:
                 by = StopBy.COMMAND if rung.means is StopMeans.COMMAND else StopBy.ABORT
                 return StopAction(rung.means, f"What ends it was sent: {rung.sentence}.", StopOrder(by))
+            if rung.means is StopMeans.KEY:
+                return StopAction(rung.means, f"What may end it was sent: {rung.sentence}.", StopOrder(StopBy.ABORT))
         return None
 
     def next_rung(self, after: StopMeans) -> Rung | None:

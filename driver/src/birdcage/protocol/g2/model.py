@@ -27,6 +27,7 @@ from birdcage.rotator.facts import (
 )
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
+from birdcage.rotator.sweep import OwnSweep
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))
 """12 inches round (`12-IN G2` in its boot log). The width was scanned in counts, on satellites that stand alone
@@ -60,6 +61,12 @@ CARRYOUT_G2 = Facts(
             loses_position=True,
             needs_consent=True,
         ),
+        Rung(
+            means=StopMeans.KEY,
+            ends=frozenset({MoveKind.SWEEP}),
+            proven=False,
+            sentence="a key; the firmware may read it only at the end of its sweep",
+        ),
         POWER_SWITCH,
     ),
     slew=None,
@@ -68,6 +75,13 @@ CARRYOUT_G2 = Facts(
     boot_s=180.0,
     has_motor_power=True,
     has_stow=True,
+    sweep=OwnSweep(
+        axes=(AZIMUTH.name, ELEVATION.name),
+        least_step_deg=0.01,
+        most_span_deg=170.0,
+        most_transponders=32,
+        way_known=False,
+    ),
     readback=Readback.ALWAYS,
     power_switch="12 V switch",
     reflector=REFLECTOR,
@@ -97,7 +111,10 @@ CARRYOUT_G2 = Facts(
             azimuth.overshoot_deg elevation.overshoot_deg
             reflector.counted.az_deg reflector.counted.el_deg reflector.counted.at_hz
         """,
-        inferred="second_same second_other stop_ladder boot_s",
+        inferred="""
+            second_same second_other stop_ladder boot_s sweep.least_step_deg sweep.most_span_deg sweep.most_transponders
+            sweep.way_known sweep.whole_span
+        """,
     ),
 )
 

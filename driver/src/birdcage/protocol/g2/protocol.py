@@ -17,14 +17,17 @@ from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
 from birdcage.protocol.g2.menus import G2Menus
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT, FEATURES
+from birdcage.protocol.g2.scan import parse_scan_point
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
+from birdcage.protocol.motors import MOTORS
 from birdcage.protocol.nvs import DISABLE_TRACKER, NvsRow
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Value
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.raw import CommandDoc
+from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Position, RssiReading, Survey, Taken
 
 _DEGREES = r"([-+]?\d+(?:\.\d+)?)(?=\s+[A-Za-z]|\s*$)"
@@ -36,6 +39,11 @@ _PLAUSIBLE = (-720.0, 720.0), (-90.0, 180.0)
 """Azimuth and elevation, wider than any dish turns: what lies outside is a misread number, not an angle."""
 _MOVE_TAKEN = re.compile(rf"Angle\s*=\s*{_DEGREES}")
 _HOMING_S = 15.0
+_SWEEP_QUIET_S = 10.0
+"""How long a sweep may print nothing: how long it takes over a position no source says. Only a deadline depends on it.
+"""
+_MOST_UNREAD = 200
+"""So many lines in a row that are no sweep's, and it talks of something else."""
 _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
 
@@ -209,6 +217,37 @@ class CarryoutG2Protocol(G2Menus):
         """
         self.console.enter(self.dialect.root)
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
+
+    def sweep_axis(self, order: SweepOrder, hear: Callable[[SweptReading | None], None]) -> None:
+        """Sweep an axis with `azscanwxp`, from where it stands (docs/reference/g2-motors.md, *Sweeps*).
+
+        The position is read first: unhomed, a sweep hangs the shell until a power cycle (docs/reference/g2.md,
+        *Hazards*). `hear` is given each reading as it comes, None for a line of another form. NoReply when nothing
+        comes for too long. What the numbers of the transponders are, and whether a key ends it, no source says.
+        """
+        motor_id, unread = MOTORS[order.axis], 0
+        self.get_position()
+
+        def take(line: str) -> None:
+            nonlocal unread
+            point = parse_scan_point(line)
+            if point is not None and point.motor == motor_id and point.angle_deg is not None:
+                unread = 0
+                hear(SweptReading(order.axis, point.angle_deg, float(point.rssi_counts)))
+                return
+            unread += 1
+            if self.says_restart(line):
+                raise NoReply(f"The dish has restarted in the middle of its sweep: {line!r}.", reason=Reason.REBOOT)
+            if unread > _MOST_UNREAD:
+                raise NoReply(f"The dish printed {unread} lines in a row that are no sweep.", reason=Reason.GARBAGE)
+            hear(None)
+
+        line = f"azscanwxp {motor_id} {order.span_deg:.0f} {order.step_deg * 100:.0f} {order.transponders}"
+        self.console.relay("mot", line, take, _SWEEP_QUIET_S, self.permit)
+
+    def abort_lines(self) -> tuple[str, ...]:
+        """Return a bare Enter: it may end a sweep, and harms nothing where it does not."""
+        return ("",)
 
     def read_speeds(self) -> dict[int, float]:
         """Read `step`, `mv` (docs/reference/g2-commands.md, *STEP>*)."""

@@ -41,6 +41,7 @@ class TaskRun:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
         self.task, self._on_change, self._future = task, on_change, future
         self._runner = StepRunner(parts, task.holder, speeds)
+        self._runner.sweeping.on_part = self._show
         self._steps: Steps | None = None
         self._interruption: Interruption | None = None
         self.leads = False
