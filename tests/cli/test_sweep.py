@@ -85,7 +85,7 @@ def test_the_firmware_sweeps_and_its_directions_are_lines_too(run):
     *lines, last = result.stdout.splitlines()
     assert len(lines) == 8
     assert all(re.fullmatch(r" *[\d.]+ +[\d.]+ +[\d.]+ ±\d\.\d", line) for line in lines), lines
-    assert last.endswith("The tuner may be on another transponder now.")
+    assert last.endswith("The transponder may have changed.")
     assert float(last.split()[3].rstrip("°")) == pytest.approx(AZ_DEG, abs=0.4)
 
 

@@ -61,7 +61,7 @@ def test_the_middle_is_found_on_the_line_and_gone_to(axis, off, span_deg, transp
     assert off_deg(bench, to) < 0.25
     assert ended.found["rise"] == pytest.approx(143.0, abs=15.0 if axis == "az" else 50.0)  # no floor is seen there
     assert {row[4] for row in ended.found["line"]} == {transponders}
-    assert ended.why.endswith("The tuner may be on another transponder now.")
+    assert ended.why.endswith("The transponder may have changed.")
     assert bench.state.activity is Activity.IDLE
 
 
@@ -106,7 +106,7 @@ def test_an_empty_sky_has_no_peak():
     begin(bench, az_deg=10.0, el_deg=50.0)
     ended = end_of(bench)
     assert ended.is_done
-    assert ended.why == "No source stands out of the floor on this line. The tuner may be on another transponder now."
+    assert ended.why == "No source stands out of the floor on this line. The transponder may have changed."
 
 
 def test_the_turn_of_the_cable_is_counted_on():

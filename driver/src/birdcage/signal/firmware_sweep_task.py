@@ -92,7 +92,7 @@ class FirmwareSweepTask(SweepTask):
         """As `SweepTask`, with what else has to be known."""
         unread = f" {self._unread} lines could not be read." if self._unread > 1 else ""
         unread = " One line could not be read." if self._unread == 1 else unread
-        return f"{super().end_words}{unread} The tuner may be on another transponder now."
+        return f"{super().end_words}{unread} The transponder may have changed."
 
 
 def raggedness(levels: Sequence[float]) -> float:

@@ -255,7 +255,7 @@ class SignalPage(Page):
             case "signal-find":
                 self.app.push_screen(find_question(self.host.view()), self._find)
             case "signal-sweep":
-                self.app.push_screen(sweep_question(), self._sweep)
+                self.app.push_screen(sweep_question(self.host.view()), self._sweep)
             case "signal-view":
                 self._show_view(self._next_view)
             case "signal-source":

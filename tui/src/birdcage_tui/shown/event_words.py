@@ -12,7 +12,8 @@ from birdcage_tui.shown.state_words import ended_text
 from birdcage_tui.shown.view import YOU
 
 FINDING = {
-    "peak": "Finding the peak", "acquire": "Searching", "sweep": "Sweeping", "on-off": "On-off", "drift": "Drift scan",
+    "peak": "Finding the peak", "acquire": "Searching", "sweep": "Sweeping", "firmware sweep": "Sweeping",
+    "on-off": "On-off", "drift": "Drift scan",
     "step-track": "Step-track",
 }  # fmt: skip
 """What tasks do that go by the signal, by their kind."""

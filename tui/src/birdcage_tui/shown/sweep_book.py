@@ -8,11 +8,13 @@ from dataclasses import dataclass, field
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.signal.drift_task import DriftTask
+from birdcage.signal.firmware_sweep_task import FirmwareSweepTask
 from birdcage.signal.sweep_task import SweepTask
 from birdcage.station.task_state import TaskPhase, TaskState, TaskValue
 
 KEPT = 4
 """The newest one, and those that lie under it."""
+KINDS = (SweepTask.kind, FirmwareSweepTask.kind, DriftTask.kind)
 FALL = 4.0 * math.log(2.0)
 
 
@@ -74,7 +76,7 @@ class SweepBook:
 
     def take(self, task: TaskState) -> None:
         """Take what a task has found so far, if it is a sweep or a drift scan."""
-        if task.kind not in (SweepTask.kind, DriftTask.kind):
+        if task.kind not in KINDS:
             return
         sweep = _sweep_of(task)
         others = tuple(each for each in self.shown if each.number != sweep.number)

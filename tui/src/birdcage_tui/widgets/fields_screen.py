@@ -28,6 +28,8 @@ class FieldRow:
     hint: str = ""
     pastes: bool = False
     """Whether a text of several lines may be pasted: their ends are `LINE_END`."""
+    is_off: bool = False
+    """Whether it can only be looked at: `value` says why."""
 
 
 class PasteInput(Input):
@@ -51,6 +53,7 @@ class FieldsScreen(Dialog[Values | None]):
     FieldsScreen Label { color: $dim; }
     FieldsScreen Input, FieldsScreen Input:focus { width: 1fr; height: 1; border: none; padding: 0 1;
         background: $panel; }
+    FieldsScreen Input:disabled { color: $dim; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #wrong.-read { color: $foreground; }
     FieldsScreen #words { margin-bottom: 1; }
@@ -85,7 +88,9 @@ class FieldsScreen(Dialog[Values | None]):
                     if field.pastes:
                         yield PasteInput(field.value, placeholder=field.hint, select_on_focus=replaces)
                     else:
-                        yield Input(field.value, placeholder=field.hint, select_on_focus=replaces)
+                        yield Input(
+                            field.value, placeholder=field.hint, select_on_focus=replaces, disabled=field.is_off
+                        )  # fmt: skip
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
             self.set_class(bool(self._wrong), "-told")
             yield CancelButton()
