@@ -8,7 +8,8 @@ import random
 
 import pytest
 from birdcage.antenna.alignment import Alignment
-from birdcage.base.errors import CommandRefused
+from birdcage.antenna.axis_sweep import AxisSweep
+from birdcage.base.errors import CommandRefused, MotionRefused
 from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.ladder import MoveKind
 from birdcage.signal.firmware_sweep_task import FirmwareSweepTask, raggedness
@@ -182,6 +183,18 @@ def test_a_dish_that_forgets_on_the_way_gets_no_sweep():
     assert not ended.is_done
     assert not sent(bench)
     assert bench.device.shell.alive
+
+
+def test_it_is_judged_anew_from_where_the_dish_stands_when_it_begins():
+    """A hand has turned it since the last look: there its cable would not allow the sweep."""
+    bench = made("&az=-210")
+    axis = bench.device.board.dish.axes[0]
+    axis.retarget(bench.device.board.now_s, -10.0)
+    bench.clock.advance(6.0)
+    assert bench.state.position.az_deg == pytest.approx(150.0, abs=0.1)
+    with pytest.raises(MotionRefused, match="could turn the cable"):
+        AxisSweep(bench.station._antenna).run(0, 60.0, 1.0, 1, lambda _dish, _level: None, lambda: None)
+    assert not sent(bench)
 
 
 @pytest.mark.parametrize("address", ["hal205?seed=1", "carryout?seed=1"])

@@ -107,6 +107,25 @@ def test_a_stop_before_the_line_is_out_keeps_it_back():
     assert not sent(bench)
 
 
+def test_a_stop_just_before_the_line_keeps_it_back():
+    """It is latched between the last look at the position and the line, and noticed by nothing else than the permit."""
+    bench = made()
+    antenna = bench.station._antenna
+    protocol = antenna.rotator._rotator.protocol
+    relay = protocol.console.relay
+
+    def late(*args):
+        bench.station.stop("you")
+        return relay(*args)
+
+    protocol.console.relay = late
+    begin(bench)
+    end_of(bench)
+    bench.step(10.0)
+    assert not sent(bench)
+    assert bench.state.held is not None
+
+
 def test_a_sweep_can_be_made_after_a_stop_is_released():
     bench = swept_and_stopped("", 1.5)
     end_of(bench)
