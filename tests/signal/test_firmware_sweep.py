@@ -9,9 +9,10 @@ import random
 import pytest
 from birdcage.antenna.alignment import Alignment
 from birdcage.antenna.axis_sweep import AxisSweep
-from birdcage.base.errors import CommandRefused, MotionRefused
+from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown
 from birdcage.base.no_go import NoGoSector
 from birdcage.rotator.ladder import MoveKind
+from birdcage.rotator.sweep import SweepOrder
 from birdcage.signal.firmware_sweep_task import FirmwareSweepTask, raggedness
 from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.station.events import ActivityChanged, PositionRead, TaskChanged
@@ -164,6 +165,13 @@ def test_an_axis_that_is_not_homed_gets_no_sweep():
     ended = end_of(bench)
     assert not ended.is_done
     assert "Home it first" in ended.why
+    assert not sent(bench)
+
+
+def test_nor_does_a_script_send_one_to_it():
+    bench = Bench("g2?seed=1&unhomed=1", {"tasks": signal_tasks()}).connect(6.0)
+    with pytest.raises(PositionUnknown):
+        bench.station._antenna.rotator.sweep(SweepOrder("azimuth", 10.0, 1.0), lambda _reading: None)
     assert not sent(bench)
 
 
