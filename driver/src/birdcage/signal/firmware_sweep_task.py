@@ -31,7 +31,7 @@ class FirmwareSweepTask(SweepTask):
     """As `SweepTask`, but the dish sweeps and listens by itself, from one end of the line on.
 
     `transponders`: how many it goes through in each direction; their mean counts, and only directions with as many
-    readings as most have (`docs/decisions/0066-a-sweep-by-the-firmware.md`). Nothing is left out at the limits: a line
+    readings as most have (`docs/decisions/0067-a-sweep-by-the-firmware.md`). Nothing is left out at the limits: a line
     that does not fit is refused.
     """
 
