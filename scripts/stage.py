@@ -131,6 +131,7 @@ async def demo(
             tour=tour,
             presets_file=paths.presets_file,
             recordings_file=paths.signal_recordings,
+            levels_file=paths.known_levels,
             setup_steps=KeptSteps(session, lambda: here, paths).count,
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),

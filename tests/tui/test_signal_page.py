@@ -17,11 +17,11 @@ from birdcage.station.state import Activity
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.shown.level_words import turn_to
+from birdcage_tui.shown.tone_words import bell_period_s
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.receiver import ReceiverPane
 from birdcage_tui.signal.to_peak import ToPeakPane
-from birdcage_tui.signal.tone import bell_period_s
 from test_demo import stage_of_the_pictures
 
 SIZES = [(80, 24), (120, 36), (160, 48), (200, 60)]
@@ -227,9 +227,9 @@ def test_the_pocket_view_says_the_three_numbers_too(size, said):
 class Bell:
     """The bell, and the timers that bring the next one: they go off when the test says so."""
 
-    def __init__(self, app):
+    def __init__(self, app, page="signal"):
         self.rung, self.timers = 0, []
-        self._page = app.query_one("#page-signal")
+        self._page = app.query_one(f"#page-{page}")
         self._page.set_timer = self._set
         app.bell = self._ring
 
@@ -260,7 +260,7 @@ def test_the_bell_rings_faster_the_hotter_it_is_and_not_at_all_without_a_peak():
 
     found, text = stage.run(body, "idle", key="f3")
     assert found == [(0, 0.3, 1), (1, 1.6, 1), (2, 0.16, 1)]
-    assert "tone on: faster is hotter" in text
+    assert "bell on: faster is hotter" in text
 
 
 def test_the_tone_ends_with_its_key_and_on_another_page_and_comes_back_with_this_one():
@@ -299,6 +299,63 @@ def test_there_is_silence_while_nothing_is_known(what):
         return bell_period_s(app.view())
 
     assert stage.run(body, "idle", key="f3") is None
+
+
+class FakeSound:
+    """Takes the pitches; has trouble when the test says so."""
+
+    def __init__(self):
+        self.played, self.closed, self.trouble = [], 0, ""
+
+    def play(self, pitch_hz):
+        self.played.append(pitch_hz)
+
+    def close(self):
+        self.closed += 1
+
+
+@pytest.mark.parametrize(("size", "page"), [((120, 36), "signal"), ((40, 12), "pocket")])
+def test_with_a_sound_system_the_pitch_follows_and_no_bell_rings(size, page):
+    sound = FakeSound()
+
+    async def body(app, pilot):
+        bell, words = Bell(app, page), []
+        level(app, share=0.0)
+        await pilot.press("t")
+        for what in ({"share": 1.0}, {"share": 0.5}, {"share": None}, {"late_s": 2.0}):
+            level(app, **what)
+            bell.go_off()
+        app.paint()
+        await pilot.pause()
+        words.append(stand_in.text_of(app))
+        sound.trouble = "aplay ended."
+        level(app)
+        bell.go_off()
+        app.paint()
+        await pilot.pause()
+        words.append(stand_in.text_of(app))
+        rung, waits = bell.rung, round(bell.timers[0].delay_s, 2)
+        await pilot.press("t")
+        return rung, waits, words
+
+    rung, waits, words = stage.run(body, "idle", size, key="f3", sound=lambda: (sound, ""))
+    assert sound.played == [pytest.approx(hz, rel=1e-3) if hz else None for hz in (220.0, 1760.0, 622.25, None, None)]
+    assert (rung, waits, sound.closed) == (1, 0.17, 2), "with its key, and with the app"
+    if page == "signal":
+        assert "tone on: higher is hotter" in words[0]
+        assert "bell on: faster is hotter" in words[1]
+        assert "aplay ended. The terminal's bell rings faster as the signal rises." in words[1]
+
+
+def test_without_a_sound_system_it_says_why():
+    async def body(app, pilot):
+        Bell(app)
+        await pilot.press("t")
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    text = stage.run(body, "idle", (120, 36), key="f3", sound=lambda: (None, "Over ssh"))
+    assert "Over ssh there is no sound. The terminal's bell rings faster as the signal rises. t: silence." in text
 
 
 FIT = BeamFit(189.46, 42.17, 0.04, 150.0, 400.0, 6.4, 12)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import sys
 from contextlib import ExitStack, suppress
 from dataclasses import replace
@@ -36,6 +37,7 @@ from birdcage_tui.feeds.network_source import StationNetwork
 from birdcage_tui.feeds.ready_watch import KeptChecks, KeptSteps
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.sky_feed import make_sky
+from birdcage_tui.feeds.tone_sound import find_sound
 from birdcage_tui.feeds.track_source import follow_there, make_track
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.options import SitePlace
@@ -234,7 +236,8 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     def load_again() -> Settings:
         return load(paths.config_file, environ={} if options.demo else None, flags=flags)
 
-    sources = SourceSet(settings, clock, load_again, memory=paths.found_directions)
+    sources = SourceSet(settings, clock, load_again, memory=paths.found_directions,
+                        keep=lambda changes: edit(paths.config_file, changes))  # fmt: skip
     attached = None if options.demo else _attach(paths, settings.dish.port)
     session: FaceSession
     if attached is not None:
@@ -359,6 +362,8 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool, unheeded: str
         logs_folder=paths.logs,
         presets_file=paths.presets_file,
         recordings_file=paths.signal_recordings,
+        levels_file=paths.known_levels,
+        sound=lambda: find_sound(os.environ, shutil.which),
         glyphs=settings.app.glyphs if chosen else fitting(os.environ),
         cell_aspect=settings.app.cell_aspect or ASPECT,
         cell_aspect_set=settings.app.cell_aspect is not None,

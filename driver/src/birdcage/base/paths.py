@@ -54,6 +54,11 @@ class Paths:
         return self.state / "signal.sqlite"
 
     @property
+    def known_levels(self) -> Path:
+        """Two levels in dB for each source of a signal that tells only counts."""
+        return self.state / "levels.toml"
+
+    @property
     def found_directions(self) -> Path:
         """Where step-track found satellites that wander, day after day."""
         return self.state / "step-track.jsonl"

@@ -50,6 +50,7 @@ COMMANDS = {
     "get": "Read features of the dish.",
     "set": "Set a feature of the dish.",
     "rssi": "Print the signal strength, as often as it is told.",
+    "levels": "Make decibels of counts by two levels that you know.",
     "peak": "Find the peak of a satellite by its signal, and point there.",
     "sweep": "Measure the signal along an axis, and fit a beam to it.",
     "on-off": "Compare the signal of a source with the sky beside it.",

@@ -13,6 +13,7 @@ from birdcage.cli.attached_command import reach_dish
 from birdcage.cli.say import iso, say, tell, tell_json
 from birdcage.rotator.feature import POSITION
 from birdcage.signal.heard_from import heard_from
+from birdcage.signal.level_scale import find_scale, load_scales
 from birdcage.signal.recording import SignalRecorder, row_of
 from birdcage.signal.source_set import SourceSet
 from birdcage.station.requests import Watch
@@ -21,6 +22,7 @@ from birdcage.station.state import LinkPhase
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.cli.station_command import StationCommand
+    from birdcage.signal.level_scale import LevelScale
     from birdcage.signal.monitor import SignalMonitor
     from birdcage.signal.source import SignalFacts, SignalReading
 
@@ -36,6 +38,10 @@ class Summary:
     """What all readings come to."""
 
     facts: SignalFacts
+    scale: LevelScale | None = None
+    """What its values are in dB, where two levels are known."""
+    extrapolated: int = 0
+    """Readings beyond these two."""
     count: int = 0
     first_at: float = 0.0
     last_at: float = 0.0
@@ -49,6 +55,7 @@ class Summary:
         """Take one more."""
         self.first_at = self.first_at if self.count else reading.at
         self.count, self.last_at = self.count + 1, reading.at
+        self.extrapolated += self.scale is not None and not self.scale.covers(reading.value)
         before = self.mean
         self.mean += (reading.value - before) / self.count
         self.squares += (reading.value - before) * (reading.value - self.mean)
@@ -66,8 +73,15 @@ class Summary:
         where = "" if az_deg is None or el_deg is None else f" at {az_deg:.2f} / {el_deg:.2f}"
         return (
             f"{self.count} readings{rate}: mean {self.mean:.{digits}f}{scatter} {unit}, "
-            f"highest {self.best:.{self.facts.decimals}f}{where}."
+            f"highest {self.best:.{self.facts.decimals}f}{where}.{self._db_words()}"
         )
+
+    def _db_words(self) -> str:
+        """Return by what the decibels were told; empty where none were."""
+        if self.scale is None:
+            return ""
+        beyond = f" {self.extrapolated} readings are beyond these levels (?)." if self.extrapolated else ""
+        return f"\ndB by two known levels: {self.scale.words(self.facts.unit)}; a straight line is assumed.{beyond}"
 
 
 def print_readings(
@@ -87,7 +101,11 @@ def print_readings(
         sources.choose(source)
         monitor = sources.monitor(told.put)
         facts = monitor.chosen.facts
-        summary, recorder = Summary(facts), None
+        scales = load_scales(dish_wanted.paths.known_levels)
+        for problem in scales.problems:
+            say(problem)
+        scale = find_scale(scales.entries, facts.id, settings.feed.active)
+        summary, recorder = Summary(facts, scale), None
         if record:
             about = {"feed": settings.feed.active, "where": facts.where}
             recorder = SignalRecorder(
@@ -170,14 +188,19 @@ def _see_that_it_may_tell(dish: StationCommand, monitor: SignalMonitor, begun: f
 
 
 def _print_one(dish: StationCommand, reading: SignalReading, summary: Summary, *, as_json: bool) -> None:
-    facts, state = summary.facts, dish.state
+    facts, scale, state = summary.facts, summary.scale, dish.state
     az_deg, el_deg = direction = heard_from(reading.at, facts, state)
     summary.take(reading, direction)
     if as_json:
         tell_json({
             "utc": iso(reading.utc), "value": reading.value, "unit": reading.unit, "source": reading.source,
+            "db": None if scale is None else round(scale.db(reading.value), 3),
+            "db_extrapolated": None if scale is None else not scale.covers(reading.value),
             "azimuth_deg": az_deg, "elevation_deg": el_deg, "port": state.port, "demo": facts.demo or state.demo,
         })  # fmt: skip
         return
     where = f"{'--':>7} {'--':>6}" if az_deg is None or el_deg is None else f"{az_deg:7.2f} {el_deg:6.2f}"
-    tell(f"{reading.utc:%H:%M:%S.%f}"[:-4] + f"Z  {where}  {reading.value:.{facts.decimals}f} {reading.unit}")
+    in_db = ""
+    if scale is not None:
+        in_db = f"  {scale.db(reading.value):.1f} dB{'' if scale.covers(reading.value) else ' ?'}"
+    tell(f"{reading.utc:%H:%M:%S.%f}"[:-4] + f"Z  {where}  {reading.value:.{facts.decimals}f} {reading.unit}{in_db}")

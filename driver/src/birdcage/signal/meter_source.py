@@ -30,6 +30,8 @@ class MeterSource:
         self._changed = threading.Event()
         self._thread: threading.Thread | None = None
         self._trouble = ""
+        self._next: Meter | None = None
+        """What is read once the conversation under way is over."""
 
     @property
     def facts(self) -> SignalFacts:
@@ -38,8 +40,14 @@ class MeterSource:
 
     @property
     def meter(self) -> Meter:
-        """What is read."""
-        return self._meter
+        """What is read, or will be next."""
+        return self._next or self._meter
+
+    def replace(self, meter: Meter) -> None:
+        """Read by another one from now on."""
+        with self._lock:
+            self._next = meter
+            self._changed.set()
 
     @property
     def trouble(self) -> str:
@@ -108,6 +116,8 @@ class MeterSource:
     def _goes_on(self) -> bool:
         """Whether somebody watches; else the thread ends here."""
         with self._lock:
+            if self._next is not None:
+                self._meter, self._next = self._next, None
             if self._watchers:
                 self._changed.clear()
                 return True

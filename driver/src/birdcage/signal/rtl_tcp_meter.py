@@ -63,11 +63,17 @@ class RtlTcpMeter:
         self._socket: socket.socket | None = None
         self._samples = bytearray()
         self._stale_until = 0.0
+        self._wanted: Tuned | None = None
+        """How it is to be set from the next reading on."""
 
     @property
     def tuned(self) -> Tuned:
-        """How it is set."""
-        return self._tuned
+        """How it is set, or is to be set next."""
+        return self._wanted or self._tuned
+
+    def retune(self, tuned: Tuned) -> None:
+        """Set it so before the next reading, without hanging up. Any thread."""
+        self._wanted = tuned
 
     def open(self) -> None:
         """Connect, see that it is rtl_tcp, and tune."""
@@ -91,10 +97,14 @@ class RtlTcpMeter:
         if self._samples[:4] != MAGIC:
             raise MeterError(f"What listens at {where} is not rtl_tcp.")
         del self._samples[:HEADER]
+        self._take_wanted()
         self._tune()
 
     def read(self, within_s: float) -> MeterReading | None:
         """Take samples until a tenth of a second of them is there."""
+        if self._take_wanted():
+            self._tune()
+            del self._samples[: len(self._samples) // 2 * 2]
         want = 2 * BINS * max(1, round(self._tuned.sample_rate_hz * DWELL_S / BINS))
         until = self._clock.monotonic() + within_s
         while len(self._samples) < want:
@@ -137,6 +147,13 @@ class RtlTcpMeter:
         if not data:
             raise MeterError("rtl_tcp closed the connection. Is the receiver still plugged in?")
         self._samples += data
+
+    def _take_wanted(self) -> bool:
+        wanted, self._wanted = self._wanted, None
+        if wanted is None:
+            return False
+        self._tuned = wanted
+        return True
 
     def _tune(self) -> None:
         tuned = self._tuned

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from birdcage.base.config.signals import OWN_TUNER, RECEIVER
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
     from birdcage.signal.meter_source import MeterSource
     from birdcage.signal.monitor import SignalMonitor
     from birdcage.signal.receiver import ReceiverSource
+    from birdcage.signal.rtl_tcp_meter import Tuned
     from birdcage.signal.source import Hear, SignalSource
     from birdcage.signal.tuner import TunerSource
     from birdcage.station.access import StationAccess
@@ -31,13 +33,13 @@ class SourceSet:
 
     def __init__(
         self, settings: Settings, clock: Clock, load: Callable[[], Settings] | None = None, *,
-        memory: Path | None = None, threads: bool = True,
+        memory: Path | None = None, threads: bool = True, keep: Callable[[Mapping[str, float]], object] | None = None,
     ) -> None:  # fmt: skip
-        """`load` reads the settings again; `memory` is the file of what step-track remembers.
+        """`load` reads the settings again; `memory` is the file of what step-track remembers; `keep` writes settings.
 
         `threads=False`: a test calls the receiver's `step`.
         """
-        self._memory = memory
+        self._memory, self._keep = memory, keep
         self._settings, self._clock, self._load, self._threads = settings, clock, load, threads
         self._station: StationAccess | None = None
         self._lock = threading.RLock()
@@ -138,6 +140,42 @@ class SourceSet:
                 self._meters.clear()
             self.get(self.chosen)
             return self.chosen
+
+    def tuned(self, source: str) -> Tuned | None:
+        """Return how an RTL-SDR behind rtl_tcp is tuned; a frequency of 0 is not set yet. None for other sources."""
+        profile = self._settings.signals.get(source)
+        if profile is None or profile.kind != "rtl_tcp":
+            return None
+        from birdcage.signal.rtl_tcp_meter import RtlTcpMeter, Tuned
+
+        self.get(source)
+        meter = self._meters[source].meter
+        if isinstance(meter, RtlTcpMeter):
+            return meter.tuned
+        return Tuned(0.0, profile.sample_rate_hz, profile.channel_hz, profile.gain_db)
+
+    def tune(self, source: str, tuned: Tuned) -> bool:
+        """Tune it from now on; return whether settings keep that. ConfigError, and nothing tuned: they can't."""
+        from birdcage.signal.metered import meter_of
+        from birdcage.signal.rtl_tcp_meter import RtlTcpMeter
+        from birdcage.signal.tuning import as_settings
+
+        with self._lock:
+            if self._keep is not None:
+                self._keep(as_settings(source, tuned))
+            profile = replace(
+                self._settings.signals[source], freq_hz=tuned.freq_hz, sample_rate_hz=tuned.sample_rate_hz,
+                channel_hz=tuned.channel_hz, gain_db=as_settings(source, tuned)[f"signal.{source}.gain_db"],
+            )  # fmt: skip
+            # As if read again: another feed that is mounted later then finds nothing changed.
+            self._settings = replace(self._settings, signals={**self._settings.signals, source: profile})
+            self.get(source)
+            made = self._meters[source]
+            if isinstance(made.meter, RtlTcpMeter):
+                made.meter.retune(tuned)
+            else:
+                made.replace(meter_of(source, self._settings, self._clock))
+            return self._keep is not None
 
     def close(self) -> None:
         """End all of them."""

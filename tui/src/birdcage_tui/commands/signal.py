@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from birdcage.signal.level_scale import why_no_scale
+
 from birdcage_tui.commands.table import Command
 from birdcage_tui.shown.allowed import CommandContext, can_move, can_step
 from birdcage_tui.shown.event_words import finding_now
@@ -32,6 +34,11 @@ def can_find(context: CommandContext) -> str | None:
     return can_move(context)
 
 
+def can_scale(context: CommandContext) -> str | None:
+    """Return why what is heard needs no scale."""
+    return why_no_scale(context.heard) or None
+
+
 SIGNAL = (
     Command(
         "signal-find", ("f",), "f", "By the signal …",
@@ -55,8 +62,23 @@ SIGNAL = (
         "Signal", footer="to peak", where=WHERE,
     ),
     Command(
-        "signal-tone", ("t",), "t", "Tone on, off", "Ring the terminal's bell, faster as the signal rises.", "Signal",
-        footer="tone", where=WHERE,
+        "signal-tone", ("t",), "t", "Tone on, off", "Hear the signal: a pitch, or over ssh the terminal's bell.",
+        "Signal", footer="tone", where=(*WHERE, "pocket"),
+    ),
+    Command(
+        "signal-mark", ("enter",), "Enter", "Set a marker", "Mark the newest reading: time, level and direction.",
+        "Signal", where=WHERE,
+    ),
+    Command(
+        "signal-unmark", ("X",), "X", "Clear the markers", "Take all markers off the strip.", "Signal", where=WHERE,
+    ),
+    Command(
+        "signal-tune", ("F",), "F", "Frequency …", "Tune an RTL-SDR: channel, sample rate, width, gain.", "Signal",
+        where=WHERE,
+    ),
+    Command(
+        "signal-levels", ("D",), "D", "Two known levels …", "Make decibels of counts by two levels that you know.",
+        "Signal", can_scale, where=WHERE,
     ),
     Command(
         "signal-record", ("r",), "r", "Record on, off", "Keep every reading with its time and direction.", "Signal",

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from birdcage_tui.feeds.setup_engine import SetupEngine
     from birdcage_tui.feeds.signal_feed import SignalSources
     from birdcage_tui.feeds.sky_feed import MakeSky
+    from birdcage_tui.feeds.tone_sound import Sound
     from birdcage_tui.feeds.track_feed import MakeTrack
     from birdcage_tui.shown.clock_told import ClockTold
 
@@ -67,6 +68,10 @@ class AppOptions:
     """Where directions with names are kept; None: nowhere."""
     recordings_file: Path | None = None
     """Where the signal is recorded; None: nowhere."""
+    sound: Callable[[], tuple[Sound | None, str]] | None = field(default=None, compare=False)
+    """Finds what plays a tone, or says why there is only the terminal's bell."""
+    levels_file: Path | None = None
+    """Where known levels of the signal are kept; None: nowhere."""
     setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)
     """Makes the engine of the setup page when it is first visited; None: there is no setup."""
     setup_steps: Callable[[], StepTally] | None = field(default=None, compare=False)

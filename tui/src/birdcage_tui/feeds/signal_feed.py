@@ -6,13 +6,17 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Protocol
 
+from birdcage.base.errors import ConfigError
+from birdcage.signal.level_scale import LevelScale, find_scale, keep_scale, load_scales, remove_scale
 from birdcage.signal.monitor import SignalMonitor
 from birdcage.signal.recording import SignalRecorder, row_of
+from birdcage.signal.rtl_tcp_meter import Tuned
 from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
 from birdcage.station.access import FaceStation
 from birdcage.station.events import Event, ReadingRead, TaskChanged
 
+from birdcage_tui.feeds.tone_sound import Sound
 from birdcage_tui.shown.polarisation_book import PolarisationBook
 from birdcage_tui.shown.signal_book import SignalBook
 from birdcage_tui.shown.source_choice import SourceChoice
@@ -41,6 +45,12 @@ class SignalSources(Protocol):
     def chosen_now(self) -> str:
         """Read the settings again, and return the id of the source that the mounted feed names."""
 
+    def tuned(self, source: str) -> Tuned | None:
+        """Return how an RTL-SDR behind rtl_tcp is tuned; None for other sources."""
+
+    def tune(self, source: str, tuned: Tuned) -> bool:
+        """Tune it from now on; return whether that is kept. ConfigError, and nothing tuned: it can't be."""
+
     def close_meters(self) -> None:
         """End programs and connections that were begun for it."""
 
@@ -51,17 +61,23 @@ class SignalFeed:
     def __init__(
         self, sources: SignalSources | None, station: FaceStation, soon: Callable[[Callable[[], None]], object],
         changed: Callable[[], object], recordings_file: Path | None = None,
+        levels_file: Path | None = None,
     ) -> None:  # fmt: skip
-        """Without `sources` there is the dish's own tuner."""
+        """Without `sources` there is the dish's own tuner; without a file nothing is kept in it."""
         self._sources, self._station, self._soon, self._changed = sources, station, soon, changed
         self._monitor: SignalMonitor | None = None
-        self._recordings_file = recordings_file
+        self._recordings_file, self._levels_file = recordings_file, levels_file
+        self._scales: Sequence[LevelScale] = ()
         self._feed = ""
         self.book = SignalBook()
         self.sweeps = SweepBook()
         self.polarisations = PolarisationBook()
         self.recorder: SignalRecorder | None = None
         """Keeps what is heard, while a person wants that."""
+        self.sound: Sound | None = None
+        """Plays a tone by it; None: the terminal's bell is all there is."""
+        self.no_sound = ""
+        """Why that is so, as the beginning of a sentence."""
         self._records = ""
         self._unsubscribe: Callable[[], None] | None = None
 
@@ -74,6 +90,30 @@ class SignalFeed:
         self._unsubscribe = self._station.subscribe(self._on_event, TaskChanged, ReadingRead)
         self.book.chosen = self._monitor.chosen.facts
         self._feed = self._station.state.feed_name
+        if self._levels_file is not None:
+            self._scales = load_scales(self._levels_file).entries
+
+    @property
+    def scale(self) -> LevelScale | None:
+        """What the values that are shown are in dB, by two known levels."""
+        return find_scale(self._scales, self.book.heard.id, self._station.state.feed_name)
+
+    def keep_levels(self, scale: LevelScale | None) -> str:
+        """Keep two known levels, or with None remove those of what is heard; return what became of it, a sentence."""
+        before = self.scale
+        if self._levels_file is None:
+            return "There is no folder for known levels."
+        if scale is None and before is None:
+            return "No levels are known."
+        try:
+            if scale is not None:
+                self._scales = keep_scale(self._levels_file, scale).entries
+                return f"{scale.words(self.book.heard.unit)}. A straight line between them is assumed."
+            if before is not None:
+                self._scales = remove_scale(self._levels_file, before).entries
+        except ConfigError as error:
+            return str(error)
+        return "Known levels removed."
 
     @property
     def trouble(self) -> str:
@@ -102,6 +142,27 @@ class SignalFeed:
             self._monitor.choose(source)
             self.book.choose(self._monitor.chosen.facts)
 
+    @property
+    def tuned(self) -> Tuned | None:
+        """How the chosen source is tuned; None for one that is not tuned from here."""
+        if self._sources is None or self._monitor is None:
+            return None
+        return self._sources.tuned(self._monitor.chosen.facts.id)
+
+    def tune(self, tuned: Tuned) -> str:
+        """Tune the chosen source, with nothing of what was heard before; return what became of it, a sentence."""
+        if self._sources is None or self._monitor is None:
+            return ""
+        facts = self._monitor.chosen.facts
+        self.end_record()
+        try:
+            kept = self._sources.tune(facts.id, tuned)
+        except ConfigError as error:
+            return str(error)
+        self.book.choose(facts)
+        till = f"[signal.{facts.id}] keeps it" if kept else "Until birdcage ends"
+        return f"Tuned to {tuned.freq_hz / 1e6:.9g} MHz. {till}."
+
     def watch(self, shown: frozenset[str], *, typing: bool) -> frozenset[str]:
         """Have it read if it is among what a page shows, or recorded; return the rest of what is shown.
 
@@ -117,6 +178,8 @@ class SignalFeed:
     def close(self) -> None:
         """Read nothing more, and end a recording."""
         self.end_record()
+        if self.sound is not None:
+            self.sound.close()
         if self._unsubscribe is not None:
             self._unsubscribe()
         if self._monitor is not None:

@@ -15,6 +15,7 @@ from birdcage_tui.pocket.reading import PocketReading, wrong_rows
 from birdcage_tui.pocket.signal import PocketSignal
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.page_tone import PageTone
 from birdcage_tui.widgets.skew import has_skew
 
 
@@ -28,6 +29,7 @@ class PocketPage(Page):
     def __init__(self) -> None:
         super().__init__(id="page-pocket")
         self._layout: PocketLayout | None = None
+        self._tone = PageTone(self)
 
     def compose(self) -> ComposeResult:
         """Readings, signal, words and sky; under them what can be pressed."""
@@ -43,6 +45,7 @@ class PocketPage(Page):
 
     def show(self, view: View) -> None:
         """Give the room to what has something to show, then draw."""
+        self._tone.resume()
         self.query_one("#pocket-body").display = not self.query_one(PocketPasses).keep()
         width, height = self.size
         if width and height:
@@ -56,7 +59,10 @@ class PocketPage(Page):
         super().show(view)
 
     def do(self, command: str) -> bool:
-        """Open the list of passes."""
+        """Open the list of passes, or turn the tone on or off."""
+        if command == "signal-tone":
+            self._tone.switch()
+            return True
         if command == "pocket-passes":
             self.query_one(PocketPasses).open()
             return True

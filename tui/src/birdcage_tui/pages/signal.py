@@ -9,15 +9,17 @@ from birdcage.signal.source_path import SourcePath
 from birdcage.signal.step_track_task import StepTrackTask
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
-from textual.timer import Timer
 
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.feeds.signal_feed import STEADY
-from birdcage_tui.panes.signal import SignalPane
-from birdcage_tui.shown.level_words import way_to
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.level_words import followed_name, way_to
+from birdcage_tui.shown.strip_words import set_words
 from birdcage_tui.shown.view import View
+from birdcage_tui.signal.ask_levels import levels_question, read_levels
 from birdcage_tui.signal.ask_receiver import supply_13_volts, supply_question, transponder_question, tune
 from birdcage_tui.signal.ask_sweep import begin_sweep, sweep_question
+from birdcage_tui.signal.ask_tuning import read_tuning, tuning_question
 from birdcage_tui.signal.choose import source_question
 from birdcage_tui.signal.find import (
     ACQUIRE,
@@ -36,19 +38,20 @@ from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.polarisations import FEATURES as POLARISED
 from birdcage_tui.signal.polarisations import PolarisationPane, polarisations_question
 from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
+from birdcage_tui.signal.strip import StripPane
 from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
-from birdcage_tui.signal.tone import WAITS_S, bell_period_s
 from birdcage_tui.signal.waterfall import WaterfallPane
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.fields_screen import Values
 from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.page_tone import PageTone
 from birdcage_tui.widgets.pane import Pane
 
 UPPER, UPPER_TALL = 9, 13
 """Rows of level and way to the peak, and where there is room for larger digits."""
 TALL = 30
-VIEWS: tuple[type[Pane], ...] = (SignalPane, SweepPane, WaterfallPane, PolarisationPane)
+VIEWS: tuple[type[Pane], ...] = (StripPane, SweepPane, WaterfallPane, PolarisationPane)
 """What stands below, one at a time."""
 
 
@@ -59,14 +62,14 @@ class SignalPage(Page):
     SignalPage { layout: vertical; }
     SignalPage SignalHead { height: 1; }
     SignalPage #signal-upper { height: 9; }
-    SignalPage LevelPane, SignalPage #signal-peak, SignalPage SignalPane, SignalPage SweepPane,
+    SignalPage LevelPane, SignalPage #signal-peak, SignalPage StripPane, SignalPage SweepPane,
     SignalPage WaterfallPane, SignalPage PolarisationPane, SignalPage ReceiverPane {
         border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim;
         width: 1fr; }
     SignalPage #signal-peak Pane { width: 1fr; }
     SignalPage ToPeakPane { height: 1fr; }
     SignalPage JogPane { height: 1; }
-    SignalPage SignalPane, SignalPage SweepPane, SignalPage WaterfallPane,
+    SignalPage StripPane, SignalPage SweepPane, SignalPage WaterfallPane,
     SignalPage PolarisationPane { height: 1fr; }
     SignalPage SweepPane, SignalPage WaterfallPane, SignalPage PolarisationPane { display: none; }
     SignalPage ReceiverPane { height: 4; }
@@ -78,6 +81,10 @@ class SignalPage(Page):
         "s chooses the source."
     )
 
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self._tone = PageTone(self)
+
     def compose(self) -> ComposeResult:
         """From the top."""
         yield SignalHead()
@@ -87,45 +94,24 @@ class SignalPage(Page):
                 column.border_title = "To the peak"
                 yield ToPeakPane(id="to-peak")
                 yield JogPane(id="signal-jog")
-        yield SignalPane(id="signal-strip")
+        yield StripPane(id="signal-strip")
         yield SweepPane(id="signal-sweep")
         yield WaterfallPane(id="signal-waterfall")
         yield PolarisationPane(id="signal-polarisations")
         yield ReceiverPane(id="receiver")
 
-    _view: type[Pane] = SignalPane
-    _tone = False
-    _rings: Timer | None = None
-    """Brings the next bell; None while there is no tone."""
+    _view: type[Pane] = StripPane
 
     def show(self, view: View) -> None:
         """Draw, and take up the tone again where the page was left with one."""
-        super().show(view)
-        if self._tone and self._rings is None and self.is_attached:
-            self._ring()
-
-    def _ring(self) -> None:
-        """Ring, if there is something to ring for, and see to the next bell; on a page that is left it ends."""
-        self._rings = None
-        if not (self._tone and self.display and self.is_attached):
-            return
-        period_s = bell_period_s(self.host.view())
-        if period_s is not None:
-            self.app.bell()
-        self._rings = self.set_timer(WAITS_S if period_s is None else period_s, self._ring)
-
-    def _switch_tone(self) -> None:
-        self._tone = not self._tone
-        if self._rings is not None:
-            self._rings.stop()
-            self._rings = None
+        self._tone.resume()
+        column, title = self.query_one("#signal-peak"), "While following" if followed_name(view) else "To the peak"
+        if column.border_title != title:
+            column.border_title = title
         level = self.query_one(LevelPane)
-        level.border_subtitle = "tone on: faster is hotter" if self._tone else ""
-        if self._tone:
-            self._ring()
-            self.host.say("The terminal's bell rings faster as the signal rises. t: silence.")
-        else:
-            self.host.say("Tone off.")
+        if level.border_subtitle != self._tone.words:  # setting it repaints the pane, equal or not
+            level.border_subtitle = self._tone.words
+        super().show(view)
 
     def on_resize(self) -> None:
         """Give the digits more room where there is some."""
@@ -189,8 +175,8 @@ class SignalPage(Page):
         """What stands below after this one: a waterfall only where the source tells spectra."""
         following = VIEWS[(VIEWS.index(self._view) + 1) % len(VIEWS)]
         if following is PolarisationPane:  # only where a person has agreed to it
-            following = SignalPane
-        return SignalPane if following is WaterfallPane and not self.host.view().spectra else following
+            following = StripPane
+        return StripPane if following is WaterfallPane and not self.host.view().spectra else following
 
     def _show_view(self, kind: type[Pane]) -> None:
         """Show it in place of the others."""
@@ -204,7 +190,7 @@ class SignalPage(Page):
 
     def _give_room(self) -> None:
         """Give up the receiver's own words for a picture on a small screen."""
-        self.query_one(ReceiverPane).display = self.size.height >= TALL or self._view is SignalPane
+        self.query_one(ReceiverPane).display = self.size.height >= TALL or self._view is StripPane
 
     def _switch_record(self) -> None:
         signals = self.host.signals
@@ -233,6 +219,25 @@ class SignalPage(Page):
         if agreed:
             self._show_view(PolarisationPane)
             self.host.say("Reading both polarisations. v shows another view, and ends it.")
+
+    def _keep_levels(self, values: Values | None) -> None:
+        if values is not None:
+            self.host.say(self.host.signals.keep_levels(read_levels(values, self.host.view())))
+
+    def _retune(self, values: Values | None) -> None:
+        if values is not None:
+            self.host.say(self.host.signals.tune(read_tuning(values)))
+
+    def _mark(self) -> None:
+        view, book = self.host.view(), self.host.signals.book
+        if can_release(view) is None:  # Enter releases what is held before anything else
+            self.host.action_command("release")
+            return
+        marker = book.mark(view.now, view.utc, view.state)
+        if marker is None:
+            self.host.say("The last reading is too old to be marked.")
+        else:
+            self.host.say(set_words(marker, book.heard))
 
     def _hear_by(self, source: str | None) -> None:
         if source is None:
@@ -268,11 +273,24 @@ class SignalPage(Page):
                 self.app.push_screen(polarisations_question(self.host.view()), self._hear_both)
             case "signal-13v":
                 self.app.push_screen(supply_question(self.host.view()), self._supply)
+            case "signal-mark":
+                self._mark()
+            case "signal-unmark":
+                count = self.host.signals.book.clear_markers()
+                self.host.say("Markers cleared." if count else "There are no markers. Enter sets one.")
+            case "signal-tune":
+                tuned, label = self.host.signals.tuned, self.host.signals.book.chosen.label
+                if tuned is None:
+                    self.host.say(f"The {label} is not tuned from here. s chooses an RTL-SDR behind rtl_tcp.")
+                else:
+                    self.app.push_screen(tuning_question(tuned, label), self._retune)
+            case "signal-levels":
+                self.app.push_screen(levels_question(self.host.view()), self._keep_levels)
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")
             case "signal-tone":
-                self._switch_tone()
+                self._tone.switch()
             case _:
                 return False
         return True

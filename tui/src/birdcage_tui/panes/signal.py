@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 
 from birdcage.signal.source import SignalFacts
 from birdcage.station.pursuit_state import Phase
 
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
+from birdcage_tui.drawing.strip_scale import strip_scale
+from birdcage_tui.shown.level_words import db_text
+from birdcage_tui.shown.markers import Marker
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import STALE_S, SignalSample, View
 from birdcage_tui.widgets.pane import Pane
@@ -21,6 +25,8 @@ LEAST_NAME = 5
 """Columns below which a cut name says nothing."""
 SPAN_S = 60.0
 """What the strip shows, whatever its width."""
+NOISES, STEPS = 20.0, 10.0
+"""A scale shows so many standard deviations of the noise at least, and so many steps of the digits that are shown."""
 
 
 class SignalPane(Pane):
@@ -40,15 +46,32 @@ class SignalPane(Pane):
         if not view.signal:
             self._empty(cells, view, source)
             return
-        axis = 6 if cells.width >= 34 and cells.height >= 4 else 0
-        width, height = max(cells.width - 2 - axis, 1), max(cells.height - 1, 1)
+        axis, (side, below) = self.axis(cells), self.spared(cells, view)
+        width, height = max(cells.width - 2 - axis - side, 1), max(cells.height - 1 - below, 1)
         shown = [sample for sample in view.signal if view.now - sample.at <= SPAN_S]
         self.write_reading(cells, view, shown, source)
         if shown:
-            span = f"last {SPAN_S:.0f} s"
+            span = self.span_words(view)
             if self.border_subtitle != span:  # setting it repaints the pane, equal or not
                 self.border_subtitle = span
             self._curve(cells, shown, view, width, height, axis)
+
+    @staticmethod
+    def axis(cells: Cells) -> int:
+        """Return how many columns the labels of the scale take."""
+        return 6 if cells.width >= 34 and cells.height >= 4 else 0
+
+    def spared(self, cells: Cells, view: View) -> tuple[int, int]:  # noqa: ARG002 - for others
+        """Return columns at the right and rows beneath that are left for other things."""
+        return 0, 0
+
+    def span_words(self, view: View) -> str:  # noqa: ARG002 - for others
+        """Return what is shown, for the frame."""
+        return f"last {SPAN_S:.0f} s"
+
+    def marked(self, view: View) -> Sequence[Marker]:  # noqa: ARG002 - for others
+        """Return the moments that are marked on the curve."""
+        return ()
 
     @staticmethod
     def write_reading(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
@@ -59,7 +82,9 @@ class SignalPane(Pane):
         by = f"{age_text(age_s)} old" if old else source
         x = cells.put(1, 0, f"{_text(last.value, heard):>5}", "dim" if old else "strong")
         x = cells.put(x, 0, f" {heard.unit}", "dim")
+        in_db = db_text(last.value, view)
         end = cells.width - 2 - len(by)
+        x = cells.put(x, 0, f"  {in_db}" if in_db else "", "dim" if old else "text")
         if shown:
             best = max(shown, key=lambda sample: sample.value)
             parts = [(f"  peak {_text(best.value, heard)}", "text")]
@@ -75,33 +100,34 @@ class SignalPane(Pane):
             cells.put(x, 0, words, "dim")
         cells.right(cells.width - 1, 0, by, "warn" if age_s > heard.pause_s else "dim")
 
-    @staticmethod
-    def _curve(cells: Cells, shown: list[SignalSample], view: View, width: int, height: int, axis: int) -> None:
-        now, heard = view.now, view.heard
-        low, high = min(s.value for s in shown), max(s.value for s in shown)
-        spare = max(heard.span - (high - low), (high - low) * 0.1)
-        low, high = low - spare / 2, high + spare / 2
-        if heard.least is not None:
-            low = max(heard.least, low)
+    def _curve(self, cells: Cells, shown: list[SignalSample], view: View, width: int, height: int, axis: int) -> None:
+        now, heard, dots = view.now, view.heard, height * 4 - 1
+        values = [sample.value for sample in shown]
+        scale = strip_scale(min(values), max(values), _least_span(view), heard.least, height)
         canvas, ink = Braille(width, height), "dim" if _is_old(view) else "accent"
-        dots = height * 4 - 1
+
+        def column(at: float) -> float:
+            return (width * 2 - 1) * (1 - (now - at) / SPAN_S)
 
         def at(sample: SignalSample) -> tuple[float, float]:
-            return (
-                (width * 2 - 1) * (1 - (now - sample.at) / SPAN_S),
-                dots * (1 - (sample.value - low) / (high - low)),
-            )
+            return column(sample.at), scale.dot(sample.value, dots)
 
-        top = at(max(shown, key=lambda sample: sample.value))[1]
+        for tick in scale.ticks if axis else ():
+            y = scale.dot(tick, dots)
+            canvas.line(0, y, width * 2 - 1, y, "faint", every=8)
+            cells.put(0, 1 + int(y) // 4, f"{tick:{axis}.{scale.decimals}f}", "dim")
+        top = scale.dot(max(values), dots)
         canvas.line(0, top, width * 2 - 1, top, "line", every=4)
+        marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
+        for marker in marked:
+            canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
         for one, other in itertools.pairwise(shown):
             if other.at - one.at <= GAP * heard.pause_s:
                 canvas.line(*at(one), *at(other), ink)
         canvas.dot(*at(shown[-1]), ink)
-        if axis:
-            cells.put(1, 1, f"{high:5.0f}", "dim")
-            cells.put(1, height, f"{low:5.0f}", "dim")
         canvas.onto(cells, 1 + axis, 1)
+        for marker in marked:
+            cells.put(1 + axis + int(column(marker.at)) // 2, 1, str(marker.number), "strong")
 
     @staticmethod
     def _empty(cells: Cells, view: View, source: str) -> None:
@@ -117,6 +143,14 @@ class SignalPane(Pane):
 def _is_old(view: View) -> bool:
     """Return whether the last reading is of before: long ago, or of a tuner that cannot be asked now."""
     return view.now - view.signal[-1].at > STALE_S or (view.heard.of_dish and not view.link_up)
+
+
+def _least_span(view: View) -> float:
+    """Return what the scale shows at least: so much that noise looks like noise, or what suits the source."""
+    noise = None if view.level is None else view.level.noise
+    if noise is None:
+        return view.heard.span
+    return float(max(NOISES * noise, STEPS * 10.0**-view.heard.decimals))
 
 
 def why_no_signal(view: View) -> str:

@@ -35,6 +35,8 @@ SKEWED = tuple(("skew", "S skew") if name == "home" else (name, words) for name,
 """The same for a dish with a third axis, which homes by itself."""
 MENDS = {"place-set": "L place", "elements-add": "I add"}
 """What the pocket view names as missing, and has a key for."""
+TONE = ("signal-tone", "t tone")
+"""Where there is room for one more."""
 ROOMY = 44
 """Columns from which the row of commands keeps off the edges."""
 STEP_WIDTH = 13
@@ -69,6 +71,8 @@ def more_keys(view: View, width: int) -> list[tuple[str, str]]:
     for name, brief in BRIEF.items():
         if sum(len(words) + 2 for _, words in keys) > width:
             keys = [(command, brief if command == name else words) for command, words in keys]
+    if sum(len(words) + 2 for _, words in (*keys, TONE)) <= width:
+        keys.append(TONE)
     return keys
 
 

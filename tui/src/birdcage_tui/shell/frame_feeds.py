@@ -45,7 +45,10 @@ class FrameFeeds:
         self.calibrate = CalibrateFeed(settings.calibrate, soon, changed)
         self.clock_watch = ClockWatch(settings.clock_check, lambda told: soon(partial(self.hear_clock, told)))
         self.ready = ReadyWatch(settings.ready, soon, changed, settings.setup_steps)
-        self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file)
+        self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file,
+                                  settings.levels_file)  # fmt: skip
+        if settings.sound is not None:
+            self.signals.sound, self.signals.no_sound = settings.sound()
         self.link_book = LinkBook()
         self.notes = Notes()
 
@@ -109,7 +112,9 @@ class FrameFeeds:
             track=self.track.now,
             followed=tuple(self.track.looks),
             heard=self.signals.book.heard,
-            level=self.signals.book.level,
+            level=self.signals.book.level_in(self._session.station.state),
+            scale=self.signals.scale,
+            markers=self.signals.book.markers,
             recorded=self.signals.recorded,
             spectra=tuple(self.signals.book.spectra),
             sweeps=self.signals.sweeps.shown,

@@ -6,6 +6,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.signal.beam_fit import BeamFit
 from birdcage.signal.peak_hold import HeardPeak, LevelNow, Trend
 from birdcage.signal.source import SignalFacts
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.state import Activity
 
 from birdcage_tui.shown.view import View
@@ -18,6 +19,13 @@ NEAR_DEG = 0.05
 def value_text(value: float, heard: SignalFacts) -> str:
     """Return a value as its source tells it."""
     return f"{value:.{heard.decimals}f}"
+
+
+def db_text(value: float, view: View) -> str:
+    """Return a value in dB by two known levels, with a question mark beyond them; empty where none are known."""
+    if view.scale is None:
+        return ""
+    return f"{view.scale.db(value):.1f} dB{'' if view.scale.covers(value) else '?'}"
 
 
 def is_late(view: View, level: LevelNow) -> bool:
@@ -52,6 +60,17 @@ def arrow(turn_deg: float, less: str, more: str) -> str:
     return "=" if abs(turn_deg) < NEAR_DEG else more if turn_deg > 0.0 else less
 
 
+def followed_name(view: View) -> str:
+    """Return what the dish follows now; empty while it follows nothing. The level is of that alone then."""
+    pursuit = view.state.pursuit
+    return pursuit.plan.aim.name if pursuit is not None and pursuit.phase is Phase.FOLLOWING else ""
+
+
+def peak_words(view: View) -> str:
+    """Return which peak the percentage is of."""
+    return "the best so far" if followed_name(view) else "the peak"
+
+
 def short_words(view: View, width: int) -> str:
     """Return the numbers that count with a hand on the dish, in one row: percent of the peak, trend, degrees to it.
 
@@ -65,5 +84,6 @@ def short_words(view: View, width: int) -> str:
     if turn is not None:
         across, up = turn
         way = f"  {arrow(across, '◀', '▶')}{abs(across):.1f}° {arrow(up, '▼', '▲')}{abs(up):.1f}°"
-    found = f"{max(level.share, 0.0) * 100.0:.0f} % of peak  {TRENDS[level.trend]}".rstrip() + way
-    return found if len(found) <= width else found.replace(" of peak ", "")
+    of = "of best" if followed_name(view) else "of peak"
+    found = f"{max(level.share, 0.0) * 100.0:.0f} % {of}  {TRENDS[level.trend]}".rstrip() + way
+    return found if len(found) <= width else found.replace(f" {of} ", "")

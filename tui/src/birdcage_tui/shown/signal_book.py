@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Sequence
+from datetime import datetime, timedelta
 
 from birdcage.signal.heard_from import heard_from
 from birdcage.signal.peak_hold import LevelNow, PeakHold
 from birdcage.signal.source import SignalFacts, SignalReading, Spectrum
 from birdcage.signal.tuner import TUNER, TUNER_FACTS
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.state import StationState
 
+from birdcage_tui.shown.markers import Marker, Markers
 from birdcage_tui.shown.view import SignalSample
 
 KEPT = 2000
@@ -27,6 +30,9 @@ class SignalBook:
         self._facts: dict[str, SignalFacts] = {}
         self._samples: dict[str, deque[SignalSample]] = {}
         self._holds: dict[str, PeakHold] = {}
+        self._markers: dict[str, Markers] = {}
+        self._passes: dict[str, tuple[int, PeakHold]] = {}
+        """Of each source, what it has told in the newest pursuit, and the number of that."""
         self.spectra: deque[Spectrum] = deque(maxlen=MOST_SPECTRA)
         """Of the chosen source, the newest last."""
 
@@ -35,6 +41,8 @@ class SignalBook:
         self.chosen = facts
         self._samples.clear()
         self._holds.clear()
+        self._markers.clear()
+        self._passes.clear()
         self.spectra.clear()
 
     def of(self, facts: SignalFacts) -> deque[SignalSample]:
@@ -52,9 +60,47 @@ class SignalBook:
             reading.at, reading.value, *where, beam_deg=None if state.beam is None else state.beam.mean_deg
         )
 
+        pursuit = state.pursuit
+        if pursuit is not None and pursuit.phase is Phase.FOLLOWING:
+            number, hold = self._passes.get(facts.id, (None, None))
+            if hold is None or number != pursuit.number:
+                hold = PeakHold(facts.scale)
+            # Without directions: the target moves, so a direction is none to come back to.
+            hold.hear(reading.at, reading.value)
+            self._passes[facts.id] = (pursuit.number, hold)
+
+    def level_in(self, state: StationState) -> LevelNow | None:
+        """Return how well it is heard now: against this pass alone while the dish follows, else since `forget_peak`."""
+        pursuit = state.pursuit
+        if pursuit is None or pursuit.phase is not Phase.FOLLOWING:
+            return self.level
+        number, hold = self._passes.get(self.heard.id, (None, None))
+        return hold.now() if hold is not None and number == pursuit.number else None
+
     def forget_peak(self) -> None:
         """Begin anew with floor and peak of what is heard."""
         self._holds.pop(self.heard.id, None)
+        self._passes.pop(self.heard.id, None)
+
+    def mark(self, now: float, utc: datetime, state: StationState) -> Marker | None:
+        """Mark the newest reading, as it is at this monotonic time and UTC; None where it is too old to be marked."""
+        level, heard = self.level, self.heard
+        if level is None or now - level.at > heard.pause_s:
+            return None
+        at = utc - timedelta(seconds=now - level.at)
+        markers = self._markers.setdefault(heard.id, Markers())
+        return markers.add(level.at, at, level.level, *heard_from(level.at, heard, state))
+
+    def clear_markers(self) -> int:
+        """Forget the markers of what is heard; return how many there were."""
+        gone = self._markers.pop(self.heard.id, None)
+        return 0 if gone is None else len(gone.kept)
+
+    @property
+    def markers(self) -> Sequence[Marker]:
+        """Those of what is heard, the newest last."""
+        kept = self._markers.get(self.heard.id)
+        return () if kept is None else kept.kept
 
     @property
     def level(self) -> LevelNow | None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.presets import Preset
+from birdcage.signal.level_scale import LevelScale
 from birdcage.signal.source import MONITOR, SignalFacts, Spectrum
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.pursuit_state import Phase
@@ -17,6 +18,7 @@ from birdcage.station.state import MOVING, Activity, LinkPhase, Motion, StationS
 
 from birdcage_tui.shown.clock_told import ClockTold
 from birdcage_tui.shown.horizon_state import HorizonState
+from birdcage_tui.shown.markers import Marker
 from birdcage_tui.shown.options import FrameOptions
 
 if TYPE_CHECKING:
@@ -115,6 +117,10 @@ class View:
     """What tells `signal`, and what its values mean."""
     level: LevelNow | None = None
     """How well it is heard, and where the peak was; None before the first reading."""
+    scale: LevelScale | None = None
+    """What its values are in dB, by two known levels; None where there are none."""
+    markers: Sequence[Marker] = ()
+    """Moments of it that a person has marked, the newest last."""
     recorded: str = ""
     """How far a recording of the signal is, or why it has stopped; empty while nothing is recorded."""
     spectra: Sequence[Spectrum] = ()

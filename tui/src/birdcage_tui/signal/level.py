@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from birdcage.signal.peak_hold import LevelNow, Trend
-from birdcage.signal.source import SignalFacts
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.drawing.digits import put_big, width_of
 from birdcage_tui.panes.signal import why_no_signal
-from birdcage_tui.shown.level_words import TRENDS, is_late, value_text
+from birdcage_tui.shown.level_words import TRENDS, db_text, followed_name, is_late, peak_words, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -48,11 +47,11 @@ class LevelPane(Pane):
         large = is_large(cells) and cells.width - width_of(big, large=True) >= BESIDE
         x = put_big(cells, 1, 0, big, "dim" if late else "strong", large=large) + 1
         tall = 5 if large else 3
-        first = f"% of the peak  {TRENDS[level.trend]}" if level.share is not None else view.heard.unit
+        first = f"% of {peak_words(view)}  {TRENDS[level.trend]}" if level.share is not None else view.heard.unit
         ink = "dim" if late else "accent-strong" if level.trend is Trend.HOTTER else "text"
         cells.put(x, tall - 3, cut(first.rstrip(), cells.width - x - 1), ink)
-        cells.put(x, tall - 2, cut(_with_floor(level, view.heard), cells.width - x - 1), "text")
-        cells.put(x, tall - 1, cut(f"{age_text(view.now - level.at)} old", cells.width - x - 1),
+        cells.put(x, tall - 2, cut(_with_floor(level, view), cells.width - x - 1), "text")
+        cells.put(x, tall - 1, cut(_age(level, view), cells.width - x - 1),
                   "warn" if late else "dim")  # fmt: skip
         if cells.height > tall + 1:
             self._bar(cells, tall + 1, min(cells.height - tall - 1, 3), level, late=late)
@@ -70,9 +69,16 @@ class LevelPane(Pane):
             cells.put(2, row, "█" * filled, "dim" if late else "accent")
 
 
-def _with_floor(level: LevelNow, heard: SignalFacts) -> str:
+def _with_floor(level: LevelNow, view: View) -> str:
     """Return the level over the lowest that was heard, or that peak and floor are still to be told apart."""
+    heard, lowest = view.heard, "lowest" if followed_name(view) else "floor"
     noise = "" if level.noise is None else f", noise ±{level.noise:.{max(heard.decimals, 1)}f}"
     if level.floor is None or level.share is None:
         return f"no peak yet{noise}"
-    return f"{value_text(level.level, heard)} {heard.unit}, floor {value_text(level.floor, heard)}"
+    return f"{value_text(level.level, heard)} {heard.unit}, {lowest} {value_text(level.floor, heard)}"
+
+
+def _age(level: LevelNow, view: View) -> str:
+    """Return the age of the reading, and what it is in dB."""
+    in_db = db_text(level.level, view)
+    return f"{age_text(view.now - level.at)} old" + (f"   {in_db}" if in_db else "")

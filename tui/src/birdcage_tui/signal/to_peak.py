@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.drawing.cell_text import cut, wrap
 from birdcage_tui.drawing.digits import put_big
 from birdcage_tui.shown.event_words import finding_now, finding_words
-from birdcage_tui.shown.level_words import NEAR_DEG, arrow, turn_to, value_text
+from birdcage_tui.shown.level_words import NEAR_DEG, arrow, followed_name, turn_to, value_text
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.level import is_large
 from birdcage_tui.widgets.pane import Pane
 
+LED_BY_PLAN = "The plan leads the dish, so no way to a peak is shown. x begins anew with the best."
 NONE_YET = "The strongest signal is kept here."
 
 
@@ -27,6 +28,9 @@ class ToPeakPane(Pane):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw both axes, the peak in words, and the keys."""
         level = view.level
+        if followed_name(view):
+            self._draw_pass(cells, view)
+            return
         peak, fit = (None, None) if level is None else (level.peak, level.fit)
         turn = None if level is None else turn_to(level, view)
         across, up = (None, None) if turn is None else turn
@@ -54,6 +58,22 @@ class ToPeakPane(Pane):
             x = self.button(cells, 1, cells.height - 1, "signal-find", view, "Find …")
             x = self.button(cells, x, cells.height - 1, "signal-peak", view, "Go there …")
             self.button(cells, x, cells.height - 1, "signal-forget", view, "Forget")
+
+    def _draw_pass(self, cells: Cells, view: View) -> None:
+        """Say what counts while the plan leads the dish: the best since it follows, and what pointing costs."""
+        width, level, pursuit = cells.width - 2, view.level, view.state.pursuit
+        cells.put(1, 0, cut(f"Following {followed_name(view)}", width), "strong")
+        best, peak = "--", None if level is None else level.peak
+        if peak is not None:
+            best = f"{value_text(peak.value, view.heard)} {view.heard.unit}, {age_text(view.now - peak.at)} ago"
+        cells.put(1, 1, cut(f"best so far  {best}", width), "text")
+        sample = None if pursuit is None else pursuit.sample
+        if sample is not None:
+            loss = "" if sample.loss_db is None else f", which costs {sample.loss_db:.1f} dB"
+            cells.put(1, 2, cut(f"pointing error  {sample.error_deg:.2f}°{loss}", width), "text")
+        for y, line in enumerate(wrap(LED_BY_PLAN, width), 4):
+            if y < cells.height:
+                cells.put(1, y, line, "dim")
 
     @staticmethod
     def _axis(cells: Cells, x: int, turn_deg: float | None, less: str, more: str, *, large: bool) -> None:

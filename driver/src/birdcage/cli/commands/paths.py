@@ -26,6 +26,7 @@ def command() -> None:
         "catalogue": paths.catalogue,
         "passes": paths.passes,
         "recordings": paths.signal_recordings,
+        "levels": paths.known_levels,
         "step-track": paths.found_directions,
         "places": paths.places_file,
         "alignments": paths.alignments_file,
