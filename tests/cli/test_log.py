@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.paths import Paths
-from birdcage.pursuit.pass_listener import PassRemark
+from birdcage.pursuit.pass_listener import PassFile, PassRemark
 from birdcage.pursuit.pass_log import PassLog
 from birdcage.station.pursuit_state import Phase
 
@@ -95,6 +95,51 @@ def test_one_pass_with_its_worst_moments_and_what_hooks_said(run, as_json, three
     told = as_json(run("log", "show", 2, "--json"))
     assert (len(told["all_samples"]), told["worst"][0]["error_deg"]) == (100, 1.5)
     assert told["remarks"] == [{"utc": "2026-11-21T13:40:50.000Z", "text": "tca: recording"}]
+
+
+def test_one_pass_prints_what_was_heard_against_elevation_and_what_hooks_made(run, as_json, tmp_path):
+    paths = Paths.default()
+    log = PassLog(paths.journal, paths.passes)
+    story = pass_events.Story(log)
+    story.phase(0, Phase.FOLLOWING)
+    for second in range(120):
+        el_deg = 20.0 + 0.5 * min(second, 119 - second)
+        story.rssi(second, 300.0 + 4.0 * el_deg)
+        if second % 10 == 0:
+            story.snr(second, el_deg / 5.0)
+        story.at_elevation(float(second), el_deg)
+    (tmp_path / "iq.raw").write_bytes(b"x" * 2_500_000)
+    for path in (tmp_path / "iq.raw", tmp_path / "gone.raw"):
+        log.made(PassFile("ISS (ZARYA)", at(100), str(path)))
+    story.phase(400, Phase.OVER, "The pass is over.")
+    assert log.flush()
+    text = run("log", "show", 1).stdout
+    level = text.split("level against elevation, counts; ")[1].split("\n\n")[0].splitlines()
+    assert level[0].startswith("bars from 384 to 494;"), level[0]
+    assert level[1].split() == ["EL", "RISING", "±", "N", "SETTING", "±", "N"]
+    assert " ".join(level[2].split()[:3]) == "45 to 50°"
+    rows = {line.split()[0]: line for line in level[2:]}
+    assert rows["20"].split()[3:6] == ["389", "6.1", "10"], rows["20"]
+    assert rows["45"].count("█") > 3 * rows["20"].count("█")
+    assert max(map(len, text.splitlines())) <= 80 or str(tmp_path) in text
+    assert "SNR against elevation, dB" in text
+    made = text.split("files that hooks made\n")[1].splitlines()
+    assert made[1].split() == ["2.5", "MB", "1", str(tmp_path / "iq.raw")]
+    assert made[2].split(maxsplit=2) == ["gone", "-", f"{tmp_path / 'gone.raw'} (never seen)"]
+    told = as_json(run("log", "show", 1, "--json"))
+    bins = {(each["way"], each["low_deg"]): each for each in told["level_by_elevation"]}
+    assert bins["rising", 20.0]["n"] == 10
+    assert bins["setting", 20.0]["mean"] == pytest.approx(389.0, abs=1.0)
+    assert {each["unit"] for each in told["snr_by_elevation"]} == {"dB"}
+    assert [(each["exists"], each["size_bytes"]) for each in told["files"]] == [(True, 2_500_000), (False, None)]
+    log.close(2.0)
+
+
+def test_a_pass_without_readings_or_files_has_a_dash(run, as_json, three_passes):
+    text = run("log", "show", 1).stdout
+    assert "heard          -\nfiles          -\n" in text
+    told = as_json(run("log", "show", 1, "--json"))
+    assert (told["level_by_elevation"], told["snr_by_elevation"], told["files"]) == ([], [], [])
 
 
 def test_csv_is_the_file_again(run, three_passes):

@@ -62,6 +62,15 @@ class Story:
         )
         self.tell(Followed(seconds, at(seconds), number or self.pursuit.number, sample))
 
+    def at_elevation(self, seconds, el_deg):
+        sample = PointingSample(
+            seconds, at(seconds), 100.0, el_deg, 100.0, el_deg, 100.0, el_deg, 100.0, el_deg, 0.01, 0.1, 0.01
+        )
+        self.tell(Followed(seconds, at(seconds), self.pursuit.number, sample))
+
+    def snr(self, seconds, snr_db):
+        self.tell(ReadingRead(seconds, at(seconds), "snr", snr_db, "dB"))
+
     def rssi(self, seconds, counts):
         self.tell(ReadingRead(seconds, at(seconds), "rssi", counts, "counts"))
 

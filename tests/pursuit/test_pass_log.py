@@ -55,7 +55,10 @@ def test_the_file_has_the_same_samples_under_a_head_that_says_what_it_is(story, 
     assert not any("DEMO" in line for line in comments)
     rows = rows_of(file)
     names = "utc target_az_deg target_el_deg planned_az_deg planned_el_deg commanded_az_deg commanded_el_deg"
-    assert " ".join(rows[0]) == f"{names} reported_az_deg reported_el_deg error_deg loss_db signal unit"
+    assert (
+        " ".join(rows[0])
+        == f"{names} reported_az_deg reported_el_deg error_deg loss_db signal unit signal_scatter signal_n snr_db"
+    )
     assert [(row["utc"], row["error_deg"]) for row in rows] == [
         ("2026-11-21T12:00:00.000Z", "0.03"), ("2026-11-21T12:00:01.000Z", "0.04"),
     ]  # fmt: skip

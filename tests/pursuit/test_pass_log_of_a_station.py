@@ -81,3 +81,6 @@ def test_what_stands_still_is_logged_with_what_the_tuner_hears_meanwhile(bench, 
     kept = read_samples(paths.journal, record.number)
     assert len(kept) >= 6
     assert [each.unit for each in kept[1:]] == ["counts"] * (len(kept) - 1)
+    assert {each.signal_n for each in kept[1:]} == {4}, "an excursion has four readings"
+    assert all(each.signal_scatter is not None for each in kept[1:])
+    assert all(each.snr_db is not None for each in kept[1:]), "and ends with the SNR"

@@ -52,5 +52,16 @@ CLEAN = tuple(
 )
 """Names used to be kept as they came, control characters and all."""
 
-MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN)
+LEVELS = (
+    "ALTER TABLE pass_sample ADD COLUMN signal_scatter REAL",
+    "ALTER TABLE pass_sample ADD COLUMN signal_n INTEGER",
+    "ALTER TABLE pass_sample ADD COLUMN snr_db REAL",
+    """CREATE TABLE pass_file (
+        pass INTEGER NOT NULL REFERENCES pass (id) ON DELETE CASCADE, utc TEXT NOT NULL, path TEXT NOT NULL,
+        size_bytes INTEGER, files INTEGER, PRIMARY KEY (pass, path)
+    )""",
+)
+"""How many readings a level is of, and what hooks have made."""
+
+MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN, LEVELS)
 """Of the whole file. Whoever opens it passes this, and does not take the others' tables for a newer program's."""

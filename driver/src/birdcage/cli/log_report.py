@@ -7,6 +7,7 @@ from dataclasses import asdict
 from datetime import datetime
 from typing import TYPE_CHECKING
 
+from birdcage.cli.heard_report import tell_files, tell_heard, values_of_files, values_of_heard
 from birdcage.cli.pass_table import minutes
 from birdcage.cli.say import iso, say, tell
 from birdcage.cli.table import tell_table
@@ -14,7 +15,7 @@ from birdcage.pursuit.pass_book import worst_moments
 
 if TYPE_CHECKING:
     from birdcage.pursuit.pass_book import PassRecord, Total
-    from birdcage.pursuit.pass_record import PassHead, PassSample, Remark
+    from birdcage.pursuit.pass_record import MadeFile, PassHead, PassSample, Remark
 
 HEAD = ("NO", "BEGAN (UTC)", "TARGET", "BEST", "FOLLOWED", "RMS", "MAX", "0.5 dB", "BY", "HOW IT ENDED")
 CUT_OFF = "Under way, or cut off in mid-pass."
@@ -35,8 +36,10 @@ def tell_passes(records: Sequence[PassRecord], total: Total) -> None:
         say("What is marked DEMO was a simulated dish.")
 
 
-def tell_pass(record: PassRecord, samples: Sequence[PassSample], remarks: Sequence[Remark]) -> None:
-    """Print all that is known of one pass, its worst moments, and what hooks printed."""
+def tell_pass(
+    record: PassRecord, samples: Sequence[PassSample], remarks: Sequence[Remark], files: Sequence[MadeFile]
+) -> None:  # fmt: skip
+    """Print all that is known of one pass: what was heard, its worst moments, what hooks made and printed."""
     head = record.head
     if head.demo:
         tell("DEMO: a simulated dish, not a real one.")
@@ -61,6 +64,8 @@ def tell_pass(record: PassRecord, samples: Sequence[PassSample], remarks: Sequen
     )
     for name, value in rows:
         tell(f"{name:14} {value}")
+    tell_heard(samples)
+    tell_files(files)
     worst = worst_moments(samples)
     if worst:
         tell("\nworst moments")
@@ -91,14 +96,16 @@ def values_of_record(record: PassRecord) -> dict[str, object]:
 
 
 def values_of_pass(
-    record: PassRecord, samples: Sequence[PassSample], remarks: Sequence[Remark]
+    record: PassRecord, samples: Sequence[PassSample], remarks: Sequence[Remark], files: Sequence[MadeFile]
 ) -> dict[str, object]:  # fmt: skip
-    """Return one pass for JSON, with its worst moments, every sample, and the remarks."""
+    """Return one pass for JSON, with what was heard, its worst moments, every sample, the remarks and the files."""
     return {
         **values_of_record(record),
         "worst": [_values(asdict(each)) for each in worst_moments(samples)],
         "all_samples": [_values(asdict(each)) for each in samples],
         "remarks": [_values(asdict(each)) for each in remarks],
+        **values_of_heard(samples),
+        "files": values_of_files(files),
     }
 
 
@@ -137,7 +144,7 @@ def _moment(sample: PassSample) -> tuple[str, ...]:
         _direction(sample.target_az_deg, sample.target_el_deg),
         _direction(sample.commanded_az_deg, sample.commanded_el_deg),
         _direction(sample.reported_az_deg, sample.reported_el_deg),
-        "-" if sample.signal is None else f"{sample.signal:g} {sample.unit or ''}".strip(),
+        "-" if sample.signal is None else f"{sample.signal:.6g} {sample.unit or ''}".strip(),
     )
 
 

@@ -10,6 +10,7 @@ from typing import Literal
 from birdcage.base.config import Settings
 from birdcage.base.paths import Paths
 from birdcage.signal.receiver import ReceiverSource
+from birdcage.signal.source import SignalSource
 from birdcage.sky.observer import Observer
 
 HOLDER = "tracker"
@@ -38,6 +39,8 @@ class DeskSetup:
     """Whether it offers, or goes on with, what was being followed when the program before it ended."""
     receiver: ReceiverSource | None = None
     """The receiver, where others look at its level, too; None: the desk has it alone."""
+    source_of: Callable[[str], SignalSource] | None = None
+    """Returns a source of the signal by its id, where others hear it, too; None: the desk has those alone."""
     load: Callable[[], Settings] | None = None
     """Reads the settings again; None where that is not wanted."""
 

@@ -268,6 +268,7 @@ class DeskWork:
     def _begin(self, now: datetime) -> None:
         """Look for what was left unfinished, and let the log, the hooks and the receiver go along from now on."""
         from birdcage.pursuit.hooks import HookListener
+        from birdcage.pursuit.pass_level import PassLevel
         from birdcage.pursuit.pass_log import PassLog
         from birdcage.pursuit.pass_tuner import PassTuner
 
@@ -279,7 +280,8 @@ class DeskWork:
         )  # fmt: skip
         self._radio = lambda: tuner.now
         services.add(PassLog(paths.journal, paths.passes, site=self._plans.site))
-        services.add(HookListener(settings.hooks, services.remark, self._clock))
+        services.add(HookListener(settings.hooks, services.remark, self._clock, services.made))
+        services.add(PassLevel(self._station, self._clock, services.signal, self._setup.source_of))
         services.add(tuner)
 
     def _why(self) -> str:

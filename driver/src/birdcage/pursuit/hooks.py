@@ -17,8 +17,9 @@ from birdcage.base.clock import Clock
 from birdcage.base.config.tracking_sections import HookSettings
 from birdcage.base.user_command import GRACE_S, UserCommand
 from birdcage.pursuit.follower import told_reach_end
+from birdcage.pursuit.made_files import told_path
 from birdcage.pursuit.pass_facts import Event, PassFacts, facts_of
-from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
+from birdcage.pursuit.pass_listener import LivePass, PassFile, PassListener, PassRemark
 
 if TYPE_CHECKING:
     from birdcage.tracking.plan import Plan
@@ -141,13 +142,16 @@ class PassHooks:
 
 
 class HookListener(PassListener):
-    """Runs the user's hooks in every pass, and tells what they say as remarks."""
+    """Runs the user's hooks in every pass, and tells what they say as remarks, or as files where they name one."""
 
     label = "hooks of [hooks]"
 
-    def __init__(self, settings: HookSettings, tell: Callable[[PassRemark], None], clock: Clock) -> None:
-        """`tell` is called on any thread: it appends to a queue and returns."""
-        self._settings, self._tell, self._clock = settings, tell, clock
+    def __init__(
+        self, settings: HookSettings, tell: Callable[[PassRemark], None], clock: Clock,
+        made: Callable[[PassFile], None] = lambda _file: None,
+    ) -> None:  # fmt: skip
+        """`tell` and `made` are called on any thread: they append to a queue and return."""
+        self._settings, self._tell, self._clock, self._made = settings, tell, clock, made
         self._hooks = PassHooks(settings, self._said, clock)
         self._plan: Plan | None = None
 
@@ -189,4 +193,8 @@ class HookListener(PassListener):
         self._hooks.close(0.0)
 
     def _said(self, line: HookLine) -> None:
+        path = told_path(line.text)
+        if path is not None:
+            self._made(PassFile(line.name, line.utc, path))
+            return
         self._tell(PassRemark(line.name, line.utc, f"{line.event}: {line.text}"))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from birdcage.base.errors import StoreError
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
-from birdcage.pursuit.pass_record import HEAD, SAMPLE, PassHead, PassSample, Remark, stamp
+from birdcage.pursuit.pass_record import HEAD, SAMPLE, MadeFile, PassHead, PassSample, Remark, stamp
 
 if TYPE_CHECKING:
     import sqlite3
@@ -121,6 +121,17 @@ def read_remarks(journal: Path, number: int) -> list[Remark]:
     with _reading(journal) as connection:
         rows = [] if connection is None else connection.execute(query, (number,)).fetchall()
     return [Remark(**_values(("utc", "text"), row)) for row in rows]
+
+
+def read_files(journal: Path, number: int) -> list[MadeFile]:
+    """Return the files that hooks have told of, in order, as they were when they were looked at last.
+
+    StoreError if the journal can't be read.
+    """
+    query = "SELECT utc, path, size_bytes, files FROM pass_file WHERE pass = ? ORDER BY utc, rowid"
+    with _reading(journal) as connection:
+        rows = [] if connection is None else connection.execute(query, (number,)).fetchall()
+    return [MadeFile(**_values(("utc", "path", "size_bytes", "files"), row)) for row in rows]
 
 
 def worst_moments(samples: Sequence[PassSample], count: int = 3, apart_s: float = 10.0) -> list[PassSample]:

@@ -51,6 +51,17 @@ class PassRemark:
     text: str
 
 
+@dataclass(frozen=True, slots=True)
+class PassFile:
+    """A file or a folder that was made of a target's pass, which may have ended, or not begun."""
+
+    name: str
+    """Of the target."""
+    utc: datetime
+    path: str
+    """An absolute one."""
+
+
 class PassListener:
     """Does nothing by itself: override what is wanted.
 
@@ -81,6 +92,9 @@ class PassListener:
 
     def remark(self, remark: PassRemark) -> None:
         """Take what another listener says of a pass. Any thread."""
+
+    def made(self, file: PassFile) -> None:
+        """Take that another listener has a file of a pass. Any thread."""
 
     def step(self) -> float:
         """Do what is due; return when to come again, in monotonic seconds, `inf` for not before something else."""

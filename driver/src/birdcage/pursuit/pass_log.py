@@ -9,10 +9,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from birdcage.base.background import BackgroundWriter
-from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
+from birdcage.pursuit.pass_levels import PassLevels
+from birdcage.pursuit.pass_listener import LivePass, PassFile, PassListener, PassRemark
 from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassTold
 from birdcage.pursuit.pass_log_work import PassLogWork
 from birdcage.pursuit.pass_record import PassHead, PassSample, head_of
+from birdcage.rotator.feature import RSSI, SNR
 from birdcage.station.events import Event, Followed, PursuitChanged, ReadingRead
 from birdcage.station.pursuit_state import DONE, Phase, PointingSample, Pursuit
 
@@ -22,10 +24,6 @@ if TYPE_CHECKING:
 QUEUE_SIZE = 8192
 CLOSE_S = 0.2
 """How long the end of the program may wait for the disk."""
-FRESH_S = 3.0
-"""How old a signal may be that stands beside a sample."""
-STILL_FRESH_S = 10.0
-"""The same of the tuner while the dish stands still on a target that does not pass: it is read every 9 s."""
 SELDOM_S = 10.0
 """How often a target is kept that does not pass: it is followed for days."""
 PROGRAM_ENDED = "The program was ended."
@@ -53,8 +51,7 @@ class PassLog(PassListener):
         """The number of the pursuit whose pass was closed last."""
         self._last: tuple[float, datetime] | None = None
         """When the last sample was kept: monotonic, UTC."""
-        self._reading: tuple[float, float, str] | None = None
-        self._strength: tuple[float, float, str] | None = None
+        self._levels = PassLevels()
 
     @property
     def problem(self) -> str:
@@ -84,16 +81,23 @@ class PassLog(PassListener):
                 self._begin(pursuit, event.utc, demo)
             if self._open is not None and event.number == self._open.pursuit:
                 self._keep(event.sample)
-        elif isinstance(event, ReadingRead) and event.feature == "rssi" and isinstance(event.value, int | float):
-            self._reading = (event.at, float(event.value), event.unit)
+        elif isinstance(event, ReadingRead) and isinstance(event.value, int | float):
+            if event.feature == RSSI:
+                self._levels.by_tuner(event.at, float(event.value), event.unit)
+            elif event.feature == SNR:
+                self._levels.snr(float(event.value))
 
     def signal(self, value: float, unit: str, at: float) -> None:
         """Take the strength that a receiver tells, at a monotonic time; it goes before the dish's own signal."""
-        self._strength = (at, value, unit)
+        self._levels.by_receiver(at, value, unit)
 
     def remark(self, remark: PassRemark) -> None:
         """Keep what is said of a pass before, during or after it."""
         self._writer.offer(remark)
+
+    def made(self, file: PassFile) -> None:
+        """Keep that there is a file of a pass before, during or after it."""
+        self._writer.offer(file)
 
     def flush(self, timeout_s: float = 2.0) -> bool:
         """Wait until all is on disk; False if that took too long."""
@@ -133,6 +137,7 @@ class PassLog(PassListener):
     def _begin(self, pursuit: Pursuit, utc: datetime, demo: bool) -> None:
         self._open = head_of(pursuit, utc, demo=demo, site=self._site())
         self._last = None
+        self._levels.begin()
         self._writer.offer(PassBegan(self._open))
 
     def _end(self, utc: datetime, outcome: str) -> None:
@@ -145,13 +150,14 @@ class PassLog(PassListener):
         if seldom and self._last is not None and sample.at - self._last[0] < SELDOM_S:
             return
         self._last = (sample.at, sample.utc)
-        value, unit = self._signal_at(sample.at)
+        heard = self._levels.take(sample.at, still=seldom)
         self._writer.offer(
             PassLooked(
                 PassSample(
                     sample.utc, sample.target_az_deg, sample.target_el_deg, sample.planned_az_deg,
                     sample.planned_el_deg, sample.commanded_az_deg, sample.commanded_el_deg, sample.reported_az_deg,
-                    sample.reported_el_deg, sample.error_deg, sample.loss_db, value, unit,
+                    sample.reported_el_deg, sample.error_deg, sample.loss_db, heard.value,
+                    heard.unit, heard.scatter, heard.n, heard.snr_db,
                 )
             )
         )  # fmt: skip
@@ -160,10 +166,3 @@ class PassLog(PassListener):
         """Return the epoch of the elements of the pass, as far as it is known by then. The writer's thread."""
         elements = self._elements
         return elements.epoch if elements is not None and elements.norad_id == norad_id else None
-
-    def _signal_at(self, at: float) -> tuple[float | None, str | None]:
-        still = self._open is not None and self._open.aos is None
-        for told, fresh_s in ((self._strength, FRESH_S), (self._reading, STILL_FRESH_S if still else FRESH_S)):
-            if told is not None and at - told[0] <= fresh_s:
-                return told[1], told[2]
-        return None, None

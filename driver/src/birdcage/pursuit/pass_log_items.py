@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from datetime import datetime
 
-from birdcage.pursuit.pass_listener import PassRemark
+from birdcage.pursuit.pass_listener import PassFile, PassRemark
 from birdcage.pursuit.pass_record import PassHead, PassSample
 
 
@@ -41,4 +41,4 @@ class PassEnded:
     latency_s: float | None
 
 
-Item = PassBegan | PassTold | PassLooked | PassRemark | PassEnded
+Item = PassBegan | PassTold | PassLooked | PassRemark | PassFile | PassEnded

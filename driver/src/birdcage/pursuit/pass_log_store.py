@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
-from birdcage.pursuit.pass_listener import PassRemark
+from birdcage.pursuit.made_files import size_of
+from birdcage.pursuit.pass_listener import PassFile, PassRemark
 from birdcage.pursuit.pass_log_items import Item, PassBegan, PassEnded, PassLooked, PassTold
 from birdcage.pursuit.pass_record import HEAD, SAMPLE, PassHead, stored
 
@@ -17,7 +18,9 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
 MOST_EARLY_REMARKS = 200
-"""Lines of text about a pass that has not begun."""
+"""Lines of text, and files, about a pass that has not begun."""
+MOST_FILES = 200
+"""Of one pass. What hooks tell beyond that is left out."""
 AFTERWARDS = timedelta(minutes=30)
 """How long after a pass a remark on its target is still about it, and not about the next one."""
 
@@ -32,7 +35,7 @@ class PassStore:
         self._open_name = ""
         self._latest: dict[str, tuple[int, datetime | None]] = {}
         """The last pass of each target since this program began, and when it ended."""
-        self._early: list[PassRemark] = []
+        self._early: list[PassRemark | PassFile] = []
 
     def write(self, items: Sequence[Item]) -> None:
         """Write some items. StoreError or sqlite3.Error if that can't be; then nothing of them is written."""
@@ -72,6 +75,15 @@ class PassStore:
             )
             if self._open is not None:
                 self._latest[self._open_name] = (self._open, item.utc)
+                for (path,) in connection.execute(
+                    "SELECT path FROM pass_file WHERE pass = ?", (self._open,)
+                ).fetchall():
+                    size_bytes, files = size_of(path) or (None, None)
+                    connection.execute(
+                        "UPDATE pass_file SET size_bytes = coalesce(?, size_bytes), files = coalesce(?, files) "
+                        "WHERE pass = ? AND path = ?",
+                        (size_bytes, files, self._open, path),
+                    )
         else:
             self._remark(connection, item)
 
@@ -88,13 +100,23 @@ class PassStore:
         for each in waiting:
             self._remark(connection, each)
 
-    def _remark(self, connection: sqlite3.Connection, item: PassRemark) -> None:
+    def _remark(self, connection: sqlite3.Connection, item: PassRemark | PassFile) -> None:
         number, ended = self._latest.get(item.name, (None, None))
         if number is None or (ended is not None and item.utc - ended > AFTERWARDS):
             self._early = [*self._early, item][-MOST_EARLY_REMARKS:]
             return
+        if isinstance(item, PassRemark):
+            connection.execute(
+                "INSERT INTO pass_remark (pass, utc, text) VALUES (?, ?, ?)", (number, stored(item.utc), item.text)
+            )
+            return
+        kept = "SELECT count(*) FROM pass_file WHERE pass = ? AND path != ?"
+        if connection.execute(kept, (number, item.path)).fetchone()[0] >= MOST_FILES:
+            return
+        size_bytes, files = size_of(item.path) or (None, None)
         connection.execute(
-            "INSERT INTO pass_remark (pass, utc, text) VALUES (?, ?, ?)", (number, stored(item.utc), item.text)
+            "INSERT OR REPLACE INTO pass_file (pass, utc, path, size_bytes, files) VALUES (?, ?, ?, ?, ?)",
+            (number, stored(item.utc), item.path, size_bytes, files),
         )
 
 

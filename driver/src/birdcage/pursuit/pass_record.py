@@ -60,7 +60,27 @@ class PassSample:
     error_deg: float
     loss_db: float | None
     signal: float | None = None
+    """The mean of `signal_n` readings."""
     unit: str | None = None
+    signal_scatter: float | None = None
+    """Standard deviation of one of them; None for fewer than two."""
+    signal_n: int | None = None
+    """How many were heard since the sample before: 0 for one that stands there still. None of an older log."""
+    snr_db: float | None = None
+    """What the dish's own receiver has told since the sample before."""
+
+
+@dataclass(frozen=True, slots=True)
+class MadeFile:
+    """A file or a folder that a hook has told of."""
+
+    utc: datetime
+    """When it told of it last."""
+    path: str
+    size_bytes: int | None
+    """When it was looked at last: of a folder, all that is in it. None if it was not there."""
+    files: int | None
+    """How many files that is."""
 
 
 @dataclass(frozen=True, slots=True)

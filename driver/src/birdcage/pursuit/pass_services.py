@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from typing import TypeVar
 
-from birdcage.pursuit.pass_listener import LivePass, PassListener, PassRemark
+from birdcage.pursuit.pass_listener import LivePass, PassFile, PassListener, PassRemark
 from birdcage.station.events import Event
 from birdcage.station.station import Station
 
@@ -66,6 +66,10 @@ class PassServices:
     def remark(self, remark: PassRemark) -> None:
         """Tell what a listener says of a pass. Any thread."""
         self._each(lambda listener: listener.remark(remark))
+
+    def made(self, file: PassFile) -> None:
+        """Tell of a file that a listener has of a pass. Any thread."""
+        self._each(lambda listener: listener.made(file))
 
     def close(self) -> None:
         """End them all, the newest first; a second time does nothing."""

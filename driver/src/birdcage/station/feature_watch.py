@@ -9,14 +9,11 @@ import math
 from collections.abc import Mapping, Sequence
 
 from birdcage.base.errors import CommandRefused, NoReply
-from birdcage.base.reason import Reason
 from birdcage.rotator.feature import RSSI, Feature, Reading
 from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
-from birdcage.station.watches import EXCURSION_PERIOD_S, MENU_LINES, RETRY_S, RSSI_READS, STEADY_RETRY_S
+from birdcage.station.watches import EXCURSION_PERIOD_S, MENU_LINES, NONSENSE, RETRY_S, RSSI_READS, STEADY_RETRY_S
 
-NONSENSE = (Reason.GARBAGE, Reason.NO_ROW)
-"""Reasons for which one answer is of no use: where the line is settled all the same, the dish itself answers."""
 MOVES_ON = (Activity.SLEWING, Activity.FOLLOWING, Activity.MOVING_UNASKED)
 """What a dish does while a feature may be read that costs it nothing then; homing and stowing are left alone."""
 STEADY_OTHER_S = 2.5

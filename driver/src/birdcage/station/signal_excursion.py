@@ -6,13 +6,13 @@ import math
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import CommandRefused, NoReply
-from birdcage.rotator.feature import RSSI
+from birdcage.rotator.feature import RSSI, SNR
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.state_store import StateStore
-from birdcage.station.watches import RSSI_PERIOD_S, RSSI_READS, Watches
+from birdcage.station.watches import NONSENSE, RSSI_PERIOD_S, RSSI_READS, Watches
 from birdcage.tracking.steps import Hear
 
-TAKES_S = RSSI_READS * RSSI_PERIOD_S + 2.0
+TAKES_S = RSSI_READS * RSSI_PERIOD_S + 3.0
 """An excursion with its changes of menu, on a slow wire; so long at least the dish must have nothing to do."""
 
 
@@ -23,12 +23,14 @@ class SignalExcursion:
         self._store, self._antenna, self._reader, self._watches = store, antenna, reader, watches
         self._refused = False
         """Whether the tuner has refused to be read since the pursuit began."""
+        self._tells_no_snr = False
+        """Whether it has refused the SNR alone, or told nonsense of it."""
         self._begun_at = -math.inf
         self.under_way = False
 
     def forget(self) -> None:
         """A pursuit begins, or goes on."""
-        self._refused = self.under_way = False
+        self._refused = self.under_way = self._tells_no_snr = False
 
     def due(self, now: float) -> float:
         """Return when to read next, `now` for at once; monotonic seconds."""
@@ -50,7 +52,8 @@ class SignalExcursion:
         if moves or not self._antenna.rest.rests or not self._watches.may_begin(now):
             return False
         self._begun_at, self.under_way = now, True
-        self._watches.begin([RSSI] * RSSI_READS, now)
+        todo = [RSSI] * RSSI_READS + ([SNR] if SNR in dish.features and not self._tells_no_snr else [])
+        self._watches.begin(todo, now)
         self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
         return True
 
@@ -71,20 +74,24 @@ class SignalExcursion:
         """Read once; the last time, come back to the motor menu. NoReply where the dish does not answer."""
         excursion = self._watches.excursion
         assert excursion is not None, "it is under way"
-        excursion.todo.popleft()
+        name = excursion.todo.popleft()
         try:
-            self._reader.signal()
+            self._reader.features([name])
         except CommandRefused as refused:
             if refused.trouble is not None:
                 raise
-            self._refused = True
-            self.end()
-            return
-        except NoReply:
-            self.under_way = False
-            self._watches.end_excursion()
-            raise
-        self._watches.was_asked(RSSI, self._store.clock.monotonic(), not_before=self._reader.not_before(RSSI))
+            if name == RSSI:
+                self._refused = True
+                self.end()
+                return
+            self._tells_no_snr = True
+        except NoReply as damaged:
+            if name == RSSI or damaged.reason not in NONSENSE or not self._reader.may_leave:
+                self.under_way = False
+                self._watches.end_excursion()
+                raise
+            self._tells_no_snr = True
+        self._watches.was_asked(name, self._store.clock.monotonic(), not_before=self._reader.not_before(name))
         if self._watches.excursion is None:
             self.end()
 
@@ -94,4 +101,4 @@ class SignalExcursion:
         if self.under_way:
             self.under_way = False
             self._antenna.rotator.make_ready()
-            self._reader.elsewhere = False
+            self._reader.elsewhere = self._watches.is_away = False

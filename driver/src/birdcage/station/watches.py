@@ -12,6 +12,7 @@ from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from birdcage.base.reason import Reason
 from birdcage.rotator.feature import HEALTH, POSITION, RSSI, Feature
 from birdcage.station.requests import Watch
 
@@ -22,6 +23,8 @@ RSSI_PERIOD_S = 0.4
 """The least time between two readings in one excursion."""
 RSSI_READS = 4
 """How many lines one excursion reads; a feature that takes more is read alone."""
+NONSENSE = (Reason.GARBAGE, Reason.NO_ROW)
+"""Reasons for which one answer is of no use: where the line is settled all the same, the dish itself answers."""
 BUDGET_LINES, BUDGET_S = 30, 10.4
 """At most so many lines in any stretch of so many seconds: a little more than 10 s, as above."""
 MENU_LINES = 3

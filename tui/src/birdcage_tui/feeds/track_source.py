@@ -46,7 +46,10 @@ def make_track(session: Session, settings: Settings, load: Callable[[], Settings
                 # Else it might read the catalogue before that is filled, and look at it again seconds later only.
                 lay_demo_sky(paths.catalogue, session.clock.utc(), observer)
             receiver = None if signals is None else signals.receiver
-            setup = DeskSetup(paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver, load=load)
+            setup = DeskSetup(
+                paths.catalogue, lambda: settings, paths, observer, demo, receiver=receiver,
+                source_of=None if signals is None else signals.get, load=load,
+            )  # fmt: skip
             desk = PursuitDesk(session.station, session.clock, setup, show, threads=threads)
             if services is not None:
                 from birdcage.pursuit.desk_service import PURSUIT, DeskService

@@ -37,11 +37,12 @@ def command(
     RMS and MAX are the angle on the sky between the target and the reported direction. 0.5 dB is the share of the time
     with less pointing loss than that, the age of the elements included. The
     target's direction includes the refraction that was set when it was followed; rise, highest point and set do not. A
-    pass is also a CSV file: `birdcage paths`.
+    pass is also a CSV file: `birdcage paths`. `show` prints the level that was heard against elevation, too, and the
+    files that hooks told of.
     """
     from birdcage.cli.log_report import tell_pass, tell_passes, values_of_pass, values_of_record, values_of_total
     from birdcage.cli.say import say, tell_json
-    from birdcage.pursuit.pass_book import list_passes, read_remarks, read_samples, total_of
+    from birdcage.pursuit.pass_book import list_passes, read_files, read_remarks, read_samples, total_of
     from birdcage.sky.downlinks_read import load_downlinks
     from birdcage.sky.targets import Resolver
 
@@ -56,10 +57,11 @@ def command(
         number = _number(what)
         record = _one(journal, number)
         samples, remarks = read_samples(journal, number), read_remarks(journal, number)
+        files = read_files(journal, number)
         if flags().json:
-            tell_json(values_of_pass(record, samples, remarks))
+            tell_json(values_of_pass(record, samples, remarks, files))
         else:
-            tell_pass(record, samples, remarks)
+            tell_pass(record, samples, remarks, files)
         return
     if last is None and since is None:
         last = SHOWN
