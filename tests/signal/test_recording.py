@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import csv
+import re
 import signal
 import sqlite3
 import subprocess
 import sys
+from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 import pytest
+from birdcage.base.errors import StoreError
+from birdcage.base.store import open_database
 from birdcage.rotator.feature import Reading
 from birdcage.signal import recording as module
 from birdcage.signal.recording import RecordedReading, SignalRecorder, row_of
@@ -25,7 +29,7 @@ NOON = datetime(2026, 11, 24, 12, 0, tzinfo=UTC)
 
 def row(index=0, **changes):
     plain = RecordedReading(
-        NOON + timedelta(seconds=index), 180.5, 42.25, 500.0 + index, None, 1, None, 7.5, True, "V", "119W", "idle"
+        NOON + timedelta(seconds=index), 180.5, 42.25, 500.0 + index, 1.5, 10, None, 7.5, True, "V", "119W", "idle"
     )
     return replace(plain, **changes)
 
@@ -43,7 +47,7 @@ def test_every_reading_comes_back_as_it_was(tmp_path):
     rows = [
         row(0),
         row(1, az_deg=None, el_deg=None, snr_db=None, lock=None, polarisation=None, target=""),
-        row(2, lock=False),
+        row(2, lock=False, scatter=None, n=None),
     ]
     recorder = recorded(path, rows)
     assert (recorder.problem, recorder.kept, recorder.number) == ("", 3, 1)
@@ -60,6 +64,9 @@ def test_a_reading_is_kept_with_what_the_receiver_last_said():
     reading = SignalReading(444.0, "counts", now, bench.clock.utc(), "tuner", 0.2)
     kept = row_of(reading, TUNER_FACTS, replace(state, readings=told), now)
     assert (kept.snr_db, kept.lock, kept.dwell_s) == (8.5, None, 0.2), "what is old is not known"
+    assert (kept.n, kept.scatter) == (None, None), "it was not told"
+    counted = row_of(replace(reading, n=10, scatter=0.65), TUNER_FACTS, state, now)
+    assert (counted.n, counted.scatter) == (10, 0.65)
     assert (kept.az_deg, kept.el_deg) == (state.position.az_deg, state.position.el_deg)
 
 
@@ -69,6 +76,8 @@ def test_as_csv_it_says_what_it_is_and_names_of_enemies_stay_in_their_cell(tmp_p
     lines = list(csv_lines(list_recordings(path)[0], read_recording(path, 1)))
     assert lines[0] == "# DEMO: a simulated dish, not a real one"
     assert lines[1] == "# source: tuner, unit: counts"
+    assert "# where: x" in lines
+    assert "# az_deg, el_deg: true degrees; value, scatter: counts; dwell_s: seconds; snr_db: dB" in lines
     assert all(line.isprintable() for line in lines)
     header, first, second = list(csv.reader(line for line in lines if not line.startswith("#")))
     told = dict(zip(header, first, strict=True))
@@ -85,8 +94,8 @@ def test_the_oldest_recordings_make_room(tmp_path, monkeypatch):
     monkeypatch.setattr(module, "MOST_READINGS", 10)
     path = tmp_path / "signal.sqlite"
     recorded(path, [row(index) for index in range(6)])
-    recorded(path, [row(index) for index in range(6)])
-    recorded(path, [row(0)])
+    recorded(path, [row(1000 + index) for index in range(6)])
+    recorded(path, [row(2000)])
     assert [(each.number, each.readings) for each in list_recordings(path)] == [(3, 1), (2, 6)]
 
 
@@ -110,6 +119,88 @@ def test_a_file_of_something_else_is_said_and_left_as_it_is(tmp_path):
     assert path.read_bytes().startswith(b"no database")
 
 
+@pytest.mark.parametrize(
+    ("make", "said"),
+    [
+        ("CREATE TABLE theirs (a)", "is a database of another program"),
+        ("PRAGMA user_version = 99", "was written by a newer birdcage (version 99"),
+        ("CREATE TABLE theirs (a); PRAGMA user_version = 2", "no such table"),
+    ],
+)  # fmt: skip
+def test_a_database_of_others_is_said_and_left_as_it_is(tmp_path, make, said):
+    path = tmp_path / "signal.sqlite"
+    with closing(sqlite3.connect(path)) as theirs:
+        theirs.executescript(f"PRAGMA journal_mode = WAL; {make};")
+    before = path.read_bytes()
+    assert said in recorded(path, [row()]).problem
+    with pytest.raises(StoreError, match=re.escape(said)):
+        list_recordings(path)
+    assert path.read_bytes() == before
+
+
+def test_one_of_before_is_taken_over_and_its_numbers_are_unknown(tmp_path):
+    path = tmp_path / "signal.sqlite"
+    with closing(open_database(path, module.MIGRATIONS[:1])) as old:
+        old.execute("INSERT INTO recording VALUES (4, ?, ?, 'tuner', 'counts', '{}', 0)", [NOON.isoformat()] * 2)
+        old.execute(
+            "INSERT INTO reading VALUES (4, ?, 1, 2, 500, NULL, 1, NULL, 7, 1, 'V', '119W', 'idle')",
+            [NOON.isoformat()],
+        )
+    (reading,) = read_recording(path, 4)
+    assert (reading.value, reading.n, reading.scatter, reading.target) == (500.0, None, None, "119W")
+    recorded(path, [row(5)])
+    assert [each.number for each in list_recordings(path)] == [5, 4]
+
+
+BESIDE = """
+import sys
+from pathlib import Path
+sys.path[:0] = sys.argv[2:]
+from tests.signal.test_recording import SignalRecorder, TUNER_FACTS, row
+recorder = SignalRecorder(Path(sys.argv[1]), TUNER_FACTS, {}, demo=False)
+for index in range(300):
+    recorder.add(row(index, value=1000.0 + index, target="theirs"))
+    if index % 10 == 0:
+        recorder._writer.flush(10.0)
+recorder.close(10.0)
+print(recorder.problem or recorder.kept)
+"""
+
+
+def test_two_programs_record_at_the_same_time_and_each_has_its_own(tmp_path):
+    path = tmp_path / "signal.sqlite"
+    recorded(path, [])
+    beside = subprocess.Popen([sys.executable, "-c", BESIDE, path, *sys.path], stdout=subprocess.PIPE, text=True)
+    ours = SignalRecorder(path, TUNER_FACTS, {}, demo=False)
+    for index in range(300):
+        ours.add(row(index))
+        if index % 10 == 0:
+            ours._writer.flush(10.0)
+    ours.close(10.0)
+    said, _ = beside.communicate(timeout=60)
+    assert (said.strip(), ours.problem, ours.kept) == ("300", "", 300)
+    mine = next(each.number for each in list_recordings(path) if each.targets == ("119W",))
+    assert {each.number for each in list_recordings(path)} == {1, 2}
+    assert [each.value for each in read_recording(path, mine)] == [500.0 + index for index in range(300)]
+    assert [each.value for each in read_recording(path, 3 - mine)] == [1000.0 + index for index in range(300)]
+
+
+def test_what_another_program_records_now_makes_no_room(tmp_path, monkeypatch):
+    monkeypatch.setattr(module, "MOST_READINGS", 5)
+    path = tmp_path / "signal.sqlite"
+    theirs = SignalRecorder(path, TUNER_FACTS, {}, demo=False)
+    for index in range(4):
+        theirs.add(row(index))
+    theirs._writer.flush(5.0)
+    recorded(path, [row(2), row(3)])
+    recorded(path, [row(4)])
+    monkeypatch.setattr(module, "MOST_READINGS", 100)
+    theirs.add(row(5))
+    theirs.close()
+    assert theirs.problem == ""
+    assert [(each.number, each.readings) for each in list_recordings(path)] == [(3, 1), (2, 2), (1, 5)]
+
+
 ON_A_FULL_DISK = """
 import resource, sys, time
 from pathlib import Path
@@ -118,8 +209,8 @@ from tests.signal.test_recording import SignalRecorder, TUNER_FACTS, row
 recorder = SignalRecorder(Path(sys.argv[1]), TUNER_FACTS, {}, demo=False)
 recorder.add(row(0))
 recorder._writer.flush(5.0)
-resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))
-for index in range(1, 3000):
+resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))
+for index in range(1, 6000):
     recorder.add(row(index))
     if index % 100 == 0:
         recorder._writer.flush(5.0)

@@ -82,6 +82,11 @@ def _migrate(connection: sqlite3.Connection, path: Path, migrations: Sequence[Mi
     connection.execute("BEGIN IMMEDIATE")
     try:
         version = _version(connection)
+        if not version and connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
+            raise StoreError(
+                f"{path} is a database of another program. It is left as it is. Move it away, and begin again.",
+                reason=Reason.DAMAGED,
+            )
         if version > len(migrations):
             raise StoreError(
                 f"{path} was written by a newer birdcage (version {version}, this one knows {len(migrations)}). "

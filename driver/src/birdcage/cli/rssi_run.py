@@ -14,7 +14,7 @@ from birdcage.cli.say import iso, say, tell, tell_json
 from birdcage.rotator.feature import POSITION
 from birdcage.signal.heard_from import heard_from
 from birdcage.signal.level_scale import find_scale, load_scales
-from birdcage.signal.recording import SignalRecorder, row_of
+from birdcage.signal.recording import SignalRecorder, about, row_of
 from birdcage.signal.source_set import SourceSet
 from birdcage.station.requests import Watch
 from birdcage.station.state import LinkPhase
@@ -107,10 +107,10 @@ def print_readings(
         scale = find_scale(scales.entries, facts.id, settings.feed.active)
         summary, recorder = Summary(facts, scale), None
         if record:
-            about = {"feed": settings.feed.active, "where": facts.where}
             recorder = SignalRecorder(
-                dish_wanted.paths.signal_recordings, facts, about, demo=facts.demo or dish.state.demo
-            )
+                dish_wanted.paths.signal_recordings, facts, about(facts, settings.feed.active),
+                demo=facts.demo or dish.state.demo,
+            )  # fmt: skip
         try:
             monitor.watch(on=True, steady=True)
             _print(dish, monitor, told, summary, recorder, count=count, seconds=seconds, as_json=as_json)
@@ -193,7 +193,8 @@ def _print_one(dish: StationCommand, reading: SignalReading, summary: Summary, *
     summary.take(reading, direction)
     if as_json:
         tell_json({
-            "utc": iso(reading.utc), "value": reading.value, "unit": reading.unit, "source": reading.source,
+            "utc": iso(reading.utc), "value": reading.value, "scatter": reading.scatter, "n": reading.n,
+            "unit": reading.unit, "source": reading.source,
             "db": None if scale is None else round(scale.db(reading.value), 3),
             "db_extrapolated": None if scale is None else not scale.covers(reading.value),
             "azimuth_deg": az_deg, "elevation_deg": el_deg, "port": state.port, "demo": facts.demo or state.demo,

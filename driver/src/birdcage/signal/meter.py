@@ -26,6 +26,10 @@ class MeterReading:
     dwell_s: float
     """How long it measured; 0 if that is not known."""
     spectrum: Spectrum | None = None
+    n: int | None = None
+    """How many values it is the mean of; None if that is not known."""
+    scatter: float | None = None
+    """Standard deviation of one of those; None if that is not known."""
 
 
 class Meter(Protocol):

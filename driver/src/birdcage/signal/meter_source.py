@@ -127,9 +127,10 @@ class MeterSource:
     def _tell(self, level: MeterReading, now: float) -> None:
         utc = self._clock.utc() - timedelta(seconds=(now - level.at) * self._clock.rate)
         facts = self._facts
-        self._readings.tell(
-            SignalReading(level.value, facts.unit, level.at, utc, facts.id, level.dwell_s, level.spectrum)
+        reading = SignalReading(
+            level.value, facts.unit, level.at, utc, facts.id, level.dwell_s, level.spectrum, level.n, level.scatter
         )
+        self._readings.tell(reading)
 
     def _own(self) -> None:
         watchers = self._watchers

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import fields
 from typing import TYPE_CHECKING
 
 from birdcage.base.text import clean
@@ -42,8 +43,14 @@ def _facts(name: str, profile: SignalProfile) -> SignalFacts:
         name, LABELS.get(name, name), profile.unit, Scale.LOG if log else Scale.LINEAR, 1.0 / every_s,
         max(LEAST_PAUSE_S, 3.0 * every_s), latency_s=None, dwell_s=dwell_s, decimals=1 if log else 3,
         span=SPAN_DB if log else 0.0, least=None, of_dish=False, demo=False,
-        where=clean(profile.url or profile.address or profile.command or ""),
+        where=clean(profile.url or profile.address or profile.command or ""), set_to=_set_to(profile),
     )  # fmt: skip
+
+
+def _set_to(profile: SignalProfile) -> tuple[tuple[str, str], ...]:
+    """Return what the profile says, without what is not set."""
+    told = ((each.name, getattr(profile, each.name)) for each in fields(profile))
+    return tuple((name, clean(str(value))) for name, value in told if value not in (None, ""))
 
 
 def meter_of(name: str, settings: Settings, clock: Clock) -> Meter:

@@ -20,6 +20,19 @@ from birdcage.station.state import StationState
 if TYPE_CHECKING:
     import sqlite3
 
+COUNTED = (
+    """CREATE TABLE counted (
+        recording INTEGER NOT NULL REFERENCES recording (id) ON DELETE CASCADE, utc TEXT NOT NULL,
+        az_deg REAL, el_deg REAL, value REAL NOT NULL, scatter REAL, n INTEGER, dwell_s REAL,
+        snr_db REAL, lock INTEGER, polarisation TEXT, target TEXT NOT NULL, activity TEXT NOT NULL
+    )""",
+    """INSERT INTO counted SELECT recording, utc, az_deg, el_deg, value, NULL, NULL, dwell_s, snr_db, lock,
+        polarisation, target, activity FROM reading ORDER BY rowid""",
+    "DROP TABLE reading",
+    "ALTER TABLE counted RENAME TO reading",
+    "CREATE INDEX reading_by_recording ON reading (recording)",
+)
+"""A reading is the mean of `n` values of its source; before, it was put down as one, without being known."""
 MIGRATIONS = (
     (
         """CREATE TABLE recording (
@@ -33,10 +46,13 @@ MIGRATIONS = (
         )""",
         "CREATE INDEX reading_by_recording ON reading (recording)",
     ),
+    COUNTED,
 )
 """Of the whole file. An entry that was released is never changed."""
 MOST_READINGS = 2_000_000
 """In the file: a day and a half at ten a second, some 200 MB. The oldest recordings give way to a new one."""
+UNDER_WAY_S = 120.0
+"""A recording is under way while its last reading is no older: a source may be silent for a while."""
 POLARISATION = "polarisation"
 FRESH_S = 60.0
 """What the receiver last said counts so long: it is asked for SNR and lock in turn with other things."""
@@ -51,8 +67,9 @@ class RecordedReading:
     el_deg: float | None
     value: float
     scatter: float | None
-    """Standard deviation of one of its readings, where it is the mean of several."""
-    n: int
+    """Standard deviation of one of the `n` values, where the source tells it."""
+    n: int | None
+    """How many values of the source's own it is the mean of."""
     dwell_s: float | None
     snr_db: float | None
     lock: bool | None
@@ -69,12 +86,18 @@ def row_of(reading: SignalReading, facts: SignalFacts, state: StationState, now:
     snr, lock, polarisation = told.get(SNR), told.get(LOCK), told.get(POLARISATION)
     owner = state.signal_owners.get(facts.id, "")
     return RecordedReading(
-        reading.utc, az_deg, el_deg, reading.value, None, 1, reading.dwell_s or None,
+        reading.utc, az_deg, el_deg, reading.value, reading.scatter, reading.n, reading.dwell_s or None,
         float(snr) if isinstance(snr, int | float) else None, bool(lock) if lock is not None else None,
         None if polarisation is None else str(polarisation),
         state.pursuit.plan.aim.name if state.pursuit is not None else "" if owner == MONITOR else owner,
         state.activity.value,
     )  # fmt: skip
+
+
+def about(facts: SignalFacts, feed: str) -> dict[str, object]:
+    """Return what source and feed are set to, for the head of a recording."""
+    told = {"feed": feed, "label": facts.label, "where": facts.where, **dict(facts.set_to)}
+    return {name: value for name, value in told.items() if value}
 
 
 class SignalRecorder:
@@ -128,14 +151,16 @@ class SignalRecorder:
                 self._end(f"The recording is full with {self.kept} readings. They are kept; begin another one.")
 
     def _begin(self, connection: sqlite3.Connection, utc: datetime) -> int:
-        """Make room, and return the number of a new recording."""
+        """Make room, and return the number of a new recording. What another program records now stays."""
         lengths = connection.execute(
-            "SELECT recording, count(*) FROM reading GROUP BY recording ORDER BY recording"
+            "SELECT recording, count(*), max(utc) FROM reading GROUP BY recording ORDER BY recording"
         ).fetchall()
-        total = sum(length for _number, length in lengths)
-        for number, length in lengths:
+        total = sum(length for _number, length, _last in lengths)
+        for number, length, last in lengths:
             if total < MOST_READINGS:
                 break
+            if abs((utc - datetime.fromisoformat(last)).total_seconds()) < UNDER_WAY_S:
+                continue
             connection.execute("DELETE FROM recording WHERE id = ?", (number,))
             total -= length
         made = connection.execute(

@@ -5,16 +5,20 @@ from __future__ import annotations
 import csv
 import io
 import json
-from collections.abc import Iterator
-from contextlib import closing
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager
 from dataclasses import dataclass, fields
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from birdcage.base.errors import StoreError
 from birdcage.base.store import open_database
 from birdcage.base.text import clean, clean_all
 from birdcage.signal.recording import MIGRATIONS, RecordedReading
+
+if TYPE_CHECKING:
+    import sqlite3
 
 COLUMNS = ", ".join(each.name for each in fields(RecordedReading))
 DEMO = "DEMO: a simulated dish, not a real one"
@@ -35,36 +39,53 @@ class Recording:
     readings: int
     low: float | None
     high: float | None
+    targets: tuple[str, ...] = ()
+    """What the dish followed meanwhile, or the source was read for."""
 
 
 def list_recordings(path: Path) -> list[Recording]:
     """Return all of them, the newest first; none where there is no file. StoreError if it can't be read."""
     if not path.exists():
         return []
-    with closing(open_database(path, MIGRATIONS)) as connection:
+    with reading_from(path) as connection:
         rows = connection.execute(
-            "SELECT id, begun, ended, source, unit, settings, demo, count(value), min(value), max(value) "
-            "FROM recording LEFT JOIN reading ON reading.recording = recording.id "
+            "SELECT id, begun, ended, source, unit, settings, demo, count(value), min(value), max(value), "
+            "json_group_array(DISTINCT target) FROM recording LEFT JOIN reading ON reading.recording = recording.id "
             "GROUP BY recording.id ORDER BY id DESC"
         ).fetchall()
     return [
         Recording(
             number, datetime.fromisoformat(begun), None if ended is None else datetime.fromisoformat(ended),
             clean(source), clean(unit), clean_all(json.loads(settings)), bool(demo), count, low, high,
+            tuple(clean(each) for each in json.loads(targets) if each),
         )
-        for number, begun, ended, source, unit, settings, demo, count, low, high in rows
+        for number, begun, ended, source, unit, settings, demo, count, low, high, targets in rows
     ]  # fmt: skip
 
 
 def read_recording(path: Path, number: int) -> list[RecordedReading]:
     """Return all readings of one, the oldest first. StoreError if it can't be read."""
     query = f"SELECT {COLUMNS} FROM reading WHERE recording = ? ORDER BY rowid"  # noqa: S608 - our own names
-    with closing(open_database(path, MIGRATIONS)) as connection:
+    with reading_from(path) as connection:
         rows = connection.execute(query, (number,)).fetchall()
-    return [_reading_of(dict(zip(COLUMNS.split(", "), row, strict=True))) for row in rows]
+    return [reading_of(row) for row in rows]
 
 
-def _reading_of(told: dict[str, Any]) -> RecordedReading:
+@contextmanager
+def reading_from(path: Path) -> Iterator[sqlite3.Connection]:
+    """Give a connection. StoreError for whatever is wrong with the file: it is left as it is."""
+    import sqlite3  # when there is something to read: a face paints without it
+
+    with closing(open_database(path, MIGRATIONS)) as connection:
+        try:
+            yield connection
+        except sqlite3.Error as error:
+            raise StoreError(f"{path} cannot be read: {error}. It is left as it is.") from error
+
+
+def reading_of(row: Sequence[Any]) -> RecordedReading:
+    """Return a row of `COLUMNS` as a reading, with names of others cleaned."""
+    told = dict(zip(COLUMNS.split(", "), row, strict=True))
     texts = {name: clean(told[name]) for name in ("polarisation", "target", "activity") if told[name] is not None}
     lock = None if told["lock"] is None else bool(told["lock"])
     return RecordedReading(**{**told, **texts, "utc": datetime.fromisoformat(told["utc"]), "lock": lock})
@@ -75,9 +96,11 @@ def csv_lines(recording: Recording, readings: list[RecordedReading]) -> Iterator
     if recording.demo:
         yield f"# {DEMO}"
     yield f"# source: {recording.source}, unit: {recording.unit}"
+    yield f"# begun: {_cell(recording.begun)}, readings: {recording.readings}"
     for name, value in recording.settings.items():
         yield f"# {name}: {value}"
-    yield "# angles: true degrees; value and scatter in the unit; what was not known is empty"
+    yield f"# az_deg, el_deg: true degrees; value, scatter: {recording.unit}; dwell_s: seconds; snr_db: dB"
+    yield "# value: the mean of n values of the source, scatter: of one of those; what was not known is empty"
     yield ",".join(each.name for each in fields(RecordedReading))
     for reading in readings:
         text = io.StringIO()

@@ -127,6 +127,7 @@ class RtlTcpMeter:
             self._clock.monotonic() - behind * seconds - dwell_s / 2.0,
             dwell_s,
             shown_spectrum(spectrum, self._tuned),
+            want // (2 * BINS),
         )
 
     def close(self) -> None:

@@ -51,6 +51,8 @@ class SignalFacts:
     """Whether it is simulated."""
     where: str = ""
     """Where it is asked, for a person: an address, a command."""
+    set_to: tuple[tuple[str, str], ...] = ()
+    """What it is set to, for a recording: names and values."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +81,10 @@ class SignalReading:
     """How long it measured, half of that before `at`; 0 if that is not known."""
     spectrum: Spectrum | None = None
     """What it was measured in, of a source that tells that."""
+    n: int | None = None
+    """How many values of the source's own it is the mean of; None where it does not tell."""
+    scatter: float | None = None
+    """Standard deviation of one of those; None where it does not tell."""
 
 
 Hear = Callable[[SignalReading], object]

@@ -81,7 +81,9 @@ class TunerSource:
     def _on_event(self, event: Event) -> None:
         if isinstance(event, ReadingRead) and event.feature == FEATURE:
             self._own(read=True)
-            self._readings.tell(SignalReading(float(event.value), event.unit, event.at, event.utc, TUNER))
+            dish = self._station.state.dish
+            n = None if dish is None or FEATURE not in dish.features else dish.features[FEATURE].samples
+            self._readings.tell(SignalReading(float(event.value), event.unit, event.at, event.utc, TUNER, n=n))
         elif isinstance(event, PursuitChanged):
             self._own()
 

@@ -85,6 +85,10 @@ SIGNAL = (
         footer="record", where=WHERE,
     ),
     Command(
+        "signal-replay", ("R",), "R", "Replay …", "Choose a recording, and see it as it was. The dish stays live.",
+        "Signal", where=WHERE,
+    ),
+    Command(
         "signal-forget", ("x",), "x", "Forget the peak", "Begin anew with peak and floor, in another part of the sky.",
         "Signal", where=WHERE,
     ),

@@ -9,7 +9,7 @@ from typing import Protocol
 from birdcage.base.errors import ConfigError
 from birdcage.signal.level_scale import LevelScale, find_scale, keep_scale, load_scales, remove_scale
 from birdcage.signal.monitor import SignalMonitor
-from birdcage.signal.recording import SignalRecorder, row_of
+from birdcage.signal.recording import SignalRecorder, about, row_of
 from birdcage.signal.rtl_tcp_meter import Tuned
 from birdcage.signal.source import Hear, SignalReading, SignalSource
 from birdcage.signal.tuner import TUNER, TunerSource
@@ -66,7 +66,9 @@ class SignalFeed:
         """Without `sources` there is the dish's own tuner; without a file nothing is kept in it."""
         self._sources, self._station, self._soon, self._changed = sources, station, soon, changed
         self._monitor: SignalMonitor | None = None
-        self._recordings_file, self._levels_file = recordings_file, levels_file
+        self.recordings_file = recordings_file
+        """Where recordings are kept; None if nowhere."""
+        self._levels_file = levels_file
         self._scales: Sequence[LevelScale] = ()
         self._feed = ""
         self.book = SignalBook()
@@ -204,13 +206,14 @@ class SignalFeed:
 
     def record(self) -> bool:
         """Keep what is heard until `end_record`, or until another source is chosen; False where there is no file."""
-        path = self._recordings_file
+        path = self.recordings_file
         if path is None or self._monitor is None:
             return False
         if self.recorder is None:
             facts = self._monitor.chosen.facts
-            about = {"feed": self._station.state.feed_name, "where": facts.where}
-            self.recorder = SignalRecorder(path, facts, about, demo=facts.demo or self._station.state.demo)
+            self.recorder = SignalRecorder(
+                path, facts, about(facts, self._station.state.feed_name), demo=facts.demo or self._station.state.demo
+            )
             self._records = facts.id
         return True
 

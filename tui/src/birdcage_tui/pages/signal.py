@@ -198,7 +198,7 @@ class SignalPage(Page):
             self.host.say(signals.end_record())
             return
         if signals.record():
-            self.host.say("Recording every reading. r ends it; `birdcage recordings` lists what was kept.")
+            self.host.say("Recording every reading. r ends it; R replays what was kept.")
         else:
             self.host.say("There is no folder for recordings.")
 
@@ -238,6 +238,15 @@ class SignalPage(Page):
             self.host.say("The last reading is too old to be marked.")
         else:
             self.host.say(set_words(marker, book.heard))
+
+    def _replay(self) -> None:
+        from birdcage_tui.signal.replay import ReplayDesk
+
+        path = self.host.signals.recordings_file
+        if path is None:
+            self.host.say("There is no folder for recordings.")
+        else:
+            ReplayDesk(self.app, path).open()
 
     def _hear_by(self, source: str | None) -> None:
         if source is None:
@@ -286,6 +295,8 @@ class SignalPage(Page):
                     self.app.push_screen(tuning_question(tuned, label), self._retune)
             case "signal-levels":
                 self.app.push_screen(levels_question(self.host.view()), self._keep_levels)
+            case "signal-replay":
+                self._replay()
             case "signal-forget":
                 self.host.signals.book.forget_peak()
                 self.host.say("Peak and floor forgotten.")

@@ -36,7 +36,7 @@ def command(csv_number: int | None) -> None:
                     "number": each.number, "begun": iso(each.begun),
                     "ended": None if each.ended is None else iso(each.ended),
                     "source": each.source, "unit": each.unit, "settings": each.settings, "demo": each.demo,
-                    "readings": each.readings, "low": each.low, "high": each.high,
+                    "targets": each.targets, "readings": each.readings, "low": each.low, "high": each.high,
                 }
                 for each in recordings
             ]
@@ -47,6 +47,6 @@ def command(csv_number: int | None) -> None:
     for each in recordings:
         span = "" if each.low is None or each.high is None else f"  {each.low:.4g} to {each.high:.4g} {each.unit}"
         demo = "  DEMO" if each.demo else ""
-        tell(
-            f"{each.number:4}  {each.begun:%Y-%m-%d %H:%M:%S}Z  {each.source:10} {each.readings:8} readings{span}{demo}"
-        )
+        targets = f"  {', '.join(each.targets)}" if each.targets else ""
+        began = f"{each.begun:%Y-%m-%d %H:%M:%S}Z"
+        tell(f"{each.number:4}  {began}  {each.source:10} {each.readings:8} readings{span}{targets}{demo}")
