@@ -218,9 +218,11 @@ class ReplayDesk:
 
     def _chosen(self, number: str | None) -> None:
         if number is not None:
+            cast(AppHost, self._app).say(f"Reading recording {number} …")
             self._in_worker(partial(open_tape, self._path, int(number)), self._play)
 
     def _play(self, tape: Tape) -> None:
+        cast(AppHost, self._app).say(f"Replaying recording {tape.recording.number}.")
         self._app.push_screen(ReplayScreen(self._path, tape))
 
     def _in_worker(self, read: Callable[[], Found], then: Callable[[Found], None]) -> None:
