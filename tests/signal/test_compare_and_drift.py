@@ -94,7 +94,7 @@ def test_a_drift_scan_tells_how_far_off_the_beam_looks(right_deg):
     rows = moving(bench, az_deg=180.0, el_deg=40.0, rate_deg_s=SUN_DEG_S, length_s=3 * WIDTH_DEG / SUN_DEG_S)
     at = bench.clock.monotonic()
     ask(bench, "drift", path=rows, width_deg=WIDTH_DEG)
-    ended = run(bench, Follows(bench, source, rows, right_deg), seconds=4000.0)
+    ended = run(bench, Follows(bench, source, rows, right_deg), seconds=4000.0, step_s=0.2)
     assert ended.is_done, ended.why
     assert ended.found["along_deg"] == pytest.approx(right_deg, abs=0.05)
     assert ended.found["late_s"] == pytest.approx(right_deg / SUN_DEG_S, abs=12.0)

@@ -68,11 +68,11 @@ def made(machine, to):
     return bench.connect(30.0), source
 
 
-def run(bench, source, seconds=400.0):
+def run(bench, source, seconds=400.0, step_s=0.05):
     end = bench.clock.monotonic() + seconds
     while bench.state.tasks and bench.clock.monotonic() < end:
         source.tick(bench)
-        bench.step(0.05)
+        bench.step(step_s)
     return [event.task for event in bench.events if isinstance(event, TaskChanged)][-1]
 
 
