@@ -14,6 +14,7 @@ from birdcage.base.paths import Paths
 from birdcage.gps.fix import NoFix
 from birdcage.link.link import Link
 from birdcage.setup.engine import Setup
+from birdcage.signal.ear import SourceEar, own_tuner
 from birdcage.signal.signal_tasks import signal_tasks
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.known import PortInfo, SystemFacts
@@ -39,6 +40,8 @@ class House:
         self.plugged = [ADAPTER]
         self.first_port = port
         self.receivers, self.asked = {}, []
+        self.beside = None
+        """A `Planted` source that its tasks hear by; None: the dish's own tuner."""
         self.start()
 
     def start(self):
@@ -49,7 +52,7 @@ class House:
         wanted = StationSettings(
             port=settings.dish.port or self.first_port, firmware=self.firmware, baud=settings.dish.baud,
             open_link=self._open,
-            backup_folder=self.paths.backups, tasks=signal_tasks(),
+            backup_folder=self.paths.backups, tasks=signal_tasks(self._ear),
             **{each.name: getattr(rules, each.name) for each in fields(rules)},
         )  # fmt: skip
         self.station = Station(self.clock, wanted)
@@ -57,6 +60,9 @@ class House:
         self.setup = Setup(self.session, settings, self.paths, environ=self.environ, ports=lambda: self.plugged,
                            system=SystemFacts, receiver=self._ask)  # fmt: skip
         return self
+
+    def _ear(self, source):
+        return own_tuner(source) if self.beside is None else SourceEar(self.beside, self.clock)
 
     def _ask(self, receiver, dish_port):
         """Answer as a receiver does, at once: with a fix, or with why there is none."""
@@ -79,6 +85,8 @@ class House:
     def run(self, seconds):
         end = self.clock.monotonic() + seconds
         while self.clock.monotonic() < end:
+            if self.beside is not None:
+                self.beside.tick(self)
             self.session.step(0.1)
             self.setup.tick()
 

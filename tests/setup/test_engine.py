@@ -147,7 +147,9 @@ def test_on_a_dish_without_a_tuner_the_first_satellite_is_for_later(build):
     assert house.setup.finished
     assert house.marks()["first"] == "later"
     assert house.setup.current == "first"
-    assert "This dish has no tuner of its own to search with." in house.view("first").words
+    words = " ".join(house.view("first").words)
+    assert "This dish has no tuner to search with." in words
+    assert 'signal = "rigctl" in [feed.stock-ku] hears by a receiver.' in words
 
 
 def test_a_damaged_file_is_said_and_left_alone(house):

@@ -1,9 +1,14 @@
 """The eleven steps with a Trav'ler: what it does by itself, what only lasts until power-up, where its limits are."""
 
 import pytest
+from birdcage.base.config import edit
 from birdcage.setup.engine import clear_question
 from birdcage.setup.step import NoSuchChoice
+from birdcage.sky.geostationary import look_angle
+from birdcage.sky.slots import slots
 from birdcage.station.state import LinkPhase, TvSearch
+
+from tests.signal.test_peak_by_source import Planted
 
 
 @pytest.fixture
@@ -132,3 +137,27 @@ def test_a_failed_homing_is_told_with_its_remedy_at_the_step(build):
     house = build("hal205?seed=1&boot=1&boot_home_s=20&home_fails=1")
     house.run(40.0)
     assert "choose INSTALLATION, then Calibrate EL" in " ".join(house.view("home").words)
+
+
+def test_its_first_satellite_is_found_by_a_receiver(build):
+    """The feed names a receiver, so the last step has something to hear by; north is 4 degrees off."""
+    house = build("hal205?seed=1")
+    edit(house.paths.config_file, {"feed.stock-ku.signal": "gqrx"})
+    house.beside = Planted((0.0, 0.0))
+    house.start().up()
+    house.choose("place", "typed", latitude_deg="39.1", longitude_deg="-95.7", height_m="250")
+    house.choose("north", "typed", az_offset_deg="0")
+    house.setup.clear()
+    slot = next(each for each in slots() if each.longitude_deg == -119.0)
+    az_deg, el_deg = look_angle(39.1, -95.7, slot.longitude_deg)
+    house.beside.to = (az_deg + 4.0, el_deg - 1.0)
+    assert house.marks()["first"] == "todo"
+    house.choose("first", "search", 900.0, slot="119W")
+    found = house.view("first")
+    assert found.evidence.startswith("found at")
+    assert any(words.startswith("Most likely it is") and slot.label in words for words in found.words), found.words
+    house.choose("first", "is1")
+    settings = house.file()
+    assert settings.alignment.az_offset_deg == pytest.approx(-4.0, abs=0.2)
+    assert settings.alignment.el_offset_deg == pytest.approx(1.0, abs=0.2)
+    assert house.marks()["first"] == "done"

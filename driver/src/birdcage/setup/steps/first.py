@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from birdcage.base.config.signals import OWN_TUNER
 from birdcage.base.errors import BirdcageError
 from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice, Field, Mark, NoSuchChoice
@@ -21,6 +22,9 @@ REACH_DEG = (15.0, 5.0)
 """How far north and level may be off after the steps before: to the sides, and up and down."""
 MADE_FOR = "DISH"
 """The network that these dishes were sold for, whose satellites are the strongest."""
+NO_TUNER = (
+    'This dish has no tuner to search with. In birdcage.toml, signal = "rigctl" in [feed.{}] hears by a receiver.'
+)
 MOST_OFFERED = 3
 """Of the satellites that it may be; each has a digit."""
 
@@ -42,14 +46,19 @@ class FirstStep(Step):
 
     @property
     def mark(self) -> Mark:
-        """On a dish without a tuner there are no means yet to tell that a satellite was found."""
+        """Without a tuner, and without another source for the feed, nothing can tell that a satellite was found."""
         mark = super().mark
         return Mark.LATER if mark is Mark.TODO and not self._hears else mark
 
     @property
     def _hears(self) -> bool:
         dish = self.bench.state.dish
-        return dish is None or dish.has_rssi
+        return dish is None or dish.has_rssi or self._source != OWN_TUNER
+
+    @property
+    def _source(self) -> str:
+        """The id of what the mounted feed is heard by."""
+        return self.bench.settings.active_feed.signal
 
     @property
     def _slots(self) -> tuple[SlotSeen, ...]:
@@ -102,7 +111,7 @@ class FirstStep(Step):
         else:
             where = (f"{self._expected()}: strong, and far from its neighbours.",)
         if not self._hears:
-            where = (*where, "This dish has no tuner of its own to search with.")
+            where = (*where, NO_TUNER.format(self.bench.settings.feed.active))
         elif self._found is None:
             around = f"{REACH_DEG[0]:.0f}° to the sides, and {REACH_DEG[1]:.0f}° up and down"
             where = (*where, f"The search goes there, then outwards: at most {around}. It may take some minutes.")
@@ -174,7 +183,7 @@ class FirstStep(Step):
         state, slots = self.bench.state, self._slots
         width_deg = 0.0 if state.beam is None else state.beam.mean_deg
         features = () if state.dish is None else tuple(state.dish.features)
-        values = values_for(meant, slots, REACH_DEG, width_deg, features)
+        values = {"source": self._source, **values_for(meant, slots, REACH_DEG, width_deg, features)}
         self._tasks.clear()
         unsubscribe = self.bench.station.subscribe(self._on_task, TaskChanged)
         try:
