@@ -69,6 +69,11 @@ def test_part_of_the_peak_age_and_way_stand_there_at_every_size(size):
         assert words in text, words
 
 
+def test_the_rate_that_is_asked_for_stands_beside_the_one_that_is_reached_where_there_is_room():
+    assert "asked 10/s, 8.2 readings a second" in shown((120, 36))
+    assert "asked" not in shown((80, 24)).splitlines()[2]
+
+
 def test_a_peak_that_is_only_noise_is_not_claimed():
     text = shown(share=None)
     assert "% of the peak" not in text
