@@ -164,6 +164,47 @@ class Braille:
                 else:
                     self.dot(x, y, ink)
 
+    def trace(self, points: Sequence[tuple[float, float]], ink: str) -> None:
+        """Draw a curve through points from left to right: one run of dots a column, however many points that has.
+
+        A column's run goes half the way to the next column's, so that steep curves have no gaps.
+        """
+        floor = math.floor
+        column, low, high, last = -(1 << 30), 0, -1, 0
+        for x, y in points:
+            at, row = floor(x), floor(y)
+            if at == column:
+                low, high = min(low, row), max(high, row)
+            elif at == column + 1 and high >= low:
+                middle = (last + row) // 2
+                if row > last:
+                    self._upright(column, low, max(high, middle), ink)
+                    low, high = min(row, middle + 1), row
+                else:
+                    self._upright(column, min(low, middle + 1) if row < last else low, high, ink)
+                    low, high = row, max(row, middle)
+                column = at
+            else:
+                if high >= low:
+                    self._upright(column, low, high, ink)
+                    self.line(column, last, at, row, ink)
+                column, low, high = at, row, row
+            last = row
+        if high >= low:
+            self._upright(column, low, high, ink)
+
+    def _upright(self, column: int, low: int, high: int, ink: str) -> None:
+        """Set the dots of a column from one row to another."""
+        if not 0 <= column < self.width * 2:
+            return
+        side, across, inks, bits = column & 1, column >> 1, self._inks, self._bits
+        for row in range(max(low, 0), min(high, self.height * 4 - 1) + 1):
+            index = (row >> 2) * self.width + across
+            if inks[index] == ink:
+                bits[index] |= _DOT[row & 3][side]
+            else:
+                self.dot(column, row, ink)
+
     def circle(
         self, x: float, y: float, radius: float, ink: str, spacing: float = 0.0, dot_aspect: float = 1.0
     ) -> None:

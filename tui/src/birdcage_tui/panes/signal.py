@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from birdcage.signal.source import SignalFacts
 from birdcage.station.pursuit_state import Phase
@@ -109,9 +109,6 @@ class SignalPane(Pane):
         def column(at: float) -> float:
             return (width * 2 - 1) * (1 - (now - at) / SPAN_S)
 
-        def at(sample: SignalSample) -> tuple[float, float]:
-            return column(sample.at), scale.dot(sample.value, dots)
-
         for tick in scale.ticks if axis else ():
             y = scale.dot(tick, dots)
             canvas.line(0, y, width * 2 - 1, y, "faint", every=8)
@@ -121,10 +118,8 @@ class SignalPane(Pane):
         marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
         for marker in marked:
             canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
-        for one, other in itertools.pairwise(shown):
-            if other.at - one.at <= GAP * heard.pause_s:
-                canvas.line(*at(one), *at(other), ink)
-        canvas.dot(*at(shown[-1]), ink)
+        for part in _without_gaps(shown, GAP * heard.pause_s):
+            canvas.trace([(column(sample.at), scale.dot(sample.value, dots)) for sample in part], ink)
         canvas.onto(cells, 1 + axis, 1)
         for marker in marked:
             cells.put(1 + axis + int(column(marker.at)) // 2, 1, str(marker.number), "strong")
@@ -138,6 +133,16 @@ class SignalPane(Pane):
             top, ink = 1, "warn" if view.signal_trouble else "dim"
         for row, line in enumerate(wrap(why_no_signal(view), max(cells.width - 2, 10)), top):
             cells.put(1, row, line, ink)
+
+
+def _without_gaps(shown: Sequence[SignalSample], longest_s: float) -> Iterator[Sequence[SignalSample]]:
+    """Yield the parts of what was heard between which nothing was for longer than that."""
+    begin = 0
+    for index, (one, other) in enumerate(itertools.pairwise(shown), 1):
+        if other.at - one.at > longest_s:
+            yield shown[begin:index]
+            begin = index
+    yield shown[begin:]
 
 
 def _is_old(view: View) -> bool:
