@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 
 from birdcage.signal.source import SignalFacts
 from birdcage.station.pursuit_state import Phase
@@ -104,17 +105,15 @@ class SignalPane(Pane):
         now, heard, dots = view.now, view.heard, height * 4 - 1
         values = [sample.value for sample in shown]
         scale = strip_scale(min(values), max(values), _least_span(view), heard.least, height)
-        canvas, ink = Braille(width, height), "dim" if _is_old(view) else "accent"
+        ink = "dim" if _is_old(view) else "accent"
 
         def column(at: float) -> float:
             return (width * 2 - 1) * (1 - (now - at) / SPAN_S)
 
-        for tick in scale.ticks if axis else ():
-            y = scale.dot(tick, dots)
-            canvas.line(0, y, width * 2 - 1, y, "faint", every=8)
+        ticks = {scale.dot(tick, dots): tick for tick in scale.ticks} if axis else {}
+        for y, tick in ticks.items():
             cells.put(0, 1 + int(y) // 4, f"{tick:{axis}.{scale.decimals}f}", "dim")
-        top = scale.dot(max(values), dots)
-        canvas.line(0, top, width * 2 - 1, top, "line", every=4)
+        canvas = self._grid(width, height, tuple(ticks), scale.dot(max(values), dots)).copy()
         marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
         for marker in marked:
             canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
@@ -123,6 +122,16 @@ class SignalPane(Pane):
         canvas.onto(cells, 1 + axis, 1)
         for marker in marked:
             cells.put(1 + axis + int(column(marker.at)) // 2, 1, str(marker.number), "strong")
+
+    @staticmethod
+    @lru_cache(maxsize=4)
+    def _grid(width: int, height: int, rows: tuple[float, ...], top: float) -> Braille:
+        """Return the lines of the scale, and that of the highest reading: the same for many frames."""
+        grid = Braille(width, height)
+        for y in rows:
+            grid.line(0, y, width * 2 - 1, y, "faint", every=8)
+        grid.line(0, top, width * 2 - 1, top, "line", every=4)
+        return grid
 
     @staticmethod
     def _empty(cells: Cells, view: View, source: str) -> None:

@@ -72,10 +72,10 @@ class Pane(Widget):
 
     def show(self, view: View) -> None:
         """Draw `view`, and repaint the rows in which it differs from what stands there."""
-        self.view = view
-        if not self.size or not self.is_attached:
+        self.view, size = view, self.size  # which Textual works out anew each time
+        if not size or not self.is_attached:
             return
-        cells = Cells(self.size.width, self.size.height, self.INK, view.settings.glyphs)
+        cells = Cells(size.width, size.height, self.INK, view.settings.glyphs)
         self.hot = []
         self.draw(cells, view)
         before, self._cells = self._cells, cells
