@@ -16,8 +16,6 @@ from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 SPAN_DEG, STEP_DEG = 20.0, 1.0
 DASH = "—"
 WORDS = "The dish goes along the axis, through where it points now, and listens at each step. Keep its swing clear."
-
-
 BY_FIRMWARE = (
     "The dish sweeps by itself. STOP sends it a key then, and it may go on to its end all the same. Its span must be "
     "free on both sides of where it begins."
@@ -43,7 +41,7 @@ def no_firmware_sweep(view: View) -> str:
     dish = view.state.dish
     if dish is None or dish.sweep is None:
         return f"the {'dish' if dish is None else dish.name} has no sweep of its own"
-    return "" if view.heard.of_dish else "by itself it hears by its own tuner only"
+    return "" if view.heard.of_dish else "the firmware hears by the dish's own tuner only"
 
 
 def _told(values: Values) -> str:
