@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 
@@ -112,3 +113,17 @@ def test_options_that_do_not_go_together_are_refused(run, words, why):
     result = run("sweep", "az", *words)
     assert result.exit_code == 2
     assert why in " ".join(result.stderr.split())
+
+
+def test_what_was_heard_before_it_was_cut_short_is_told_as_json_too(run, tmp_path):
+    text = "import time; [(print(-41.5), time.sleep(0.05)) for _ in range(50)]; time.sleep(60)"
+    file = tmp_path / "own.toml"
+    file.write_text(f'[signal.meter]\ncommand = """{program(text)}"""\nevery_s = 0.1\n')
+    words = ("sweep", "el", "--span", 20, "--step", 1, "--source", "meter", "--json")
+    result = run("--config", file, *words, port="sim:g2")
+    assert result.exit_code == 1, result.stdout
+    assert "The signal is lost." in result.stderr
+    told = json.loads(result.stdout)
+    assert (told["complete"], told["demo"], told["axis"]) == (False, True, "el")
+    assert 1 <= len(told["line"]) < 21
+    assert all(mean == -41.5 for _az, _el, mean, _scatter, _count in told["line"])

@@ -13,6 +13,8 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
 from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from birdcage.station.task_state import TaskValue
 
 HOLDER = "birdcage drift"
@@ -35,11 +37,12 @@ def command(
     """Park ahead of TARGET, let it drift through the beam, and measure the beam. Ctrl+C stops the dish.
 
     TARGET is the Sun, the Moon, a star or a satellite that moves. The dish rests all the time, so no motor error
-    counts. A beam is fitted to the signal. Its width is told, and how far it looks ahead of the dish's direction, or
-    behind it. Without a source the exit status is 1.
+    counts. Each reading is a line: degrees past the dish, mean, and scatter. A beam is fitted to them. Its width is
+    told, and how far it looks ahead of the dish's direction, or behind it. Without a source the exit status is 1.
     """
     from birdcage.cli.attached_command import reach_dish
-    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.line_heard import LineHeard
+    from birdcage.cli.say import say
     from birdcage.cli.signal_task import follow_task, ready_dish
     from birdcage.cli.source_where import named, path_from
     from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
@@ -62,18 +65,20 @@ def command(
         say(f"{meant.name} passes at {_clock(path.begin_s + length_s / 2)} UTC. Over at {_clock(path.end_s)} UTC.")
         values: dict[str, TaskValue] = {"path": tuple(path.rows), "width_deg": width_deg, "source": by}
         takes_s = SLEW_S + length_s + 300.0
-        ended = follow_task(dish, DriftTask.kind, values, HOLDER, takes_s, "{} of {} readings …")
+        lines = LineHeard(_written, as_json=flags().json)
+        with lines.kept(dish):
+            ended = follow_task(dish, DriftTask.kind, values, HOLDER, takes_s, "{} of {} readings …", lines.show)
         demo = dish.state.demo
-    if "rise" not in ended.found:
-        say(ended.why)
+    if not lines.tell_end(ended, demo=demo):
         context.exit(exits.NOT_DONE)
-    if flags().json:
-        tell_json({**ended.found, "demo": demo})
-    else:
-        tell(ended.why)
 
 
 def _clock(time_s: float) -> str:
     from datetime import UTC, datetime
 
     return f"{datetime.fromtimestamp(time_s, UTC):%H:%M:%S}"
+
+
+def _written(row: Sequence[float]) -> str:
+    ahead_deg, _zero, mean, scatter, _count = row
+    return f"{ahead_deg:+7.2f} {mean:8.1f} ±{scatter:.1f}"

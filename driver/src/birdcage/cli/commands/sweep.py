@@ -12,7 +12,9 @@ from birdcage.cli.sky_options import NEGATIVE_NUMBERS, no_options_among
 from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:
-    from birdcage.station.task_state import TaskState, TaskValue
+    from collections.abc import Sequence
+
+    from birdcage.station.task_state import TaskValue
 
 HOLDER = "birdcage sweep"
 TAKES_S = 3600.0
@@ -51,7 +53,7 @@ def command(
     from birdcage.base.config.signals import OWN_TUNER
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.commands.move import direction_to
-    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.line_heard import LineHeard
     from birdcage.cli.signal_task import follow_task, known_slots, ready_dish
     from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
     from birdcage.signal.firmware_sweep_task import FirmwareSweepTask
@@ -81,33 +83,14 @@ def command(
         if by_itself:
             values["transponders"] = transponders or 1
         kind = FirmwareSweepTask.kind if by_itself else SweepTask.kind
-        lines = _Lines()
-        ended = follow_task(
-            dish, kind, values, HOLDER, TAKES_S, "{} of {} directions heard …",
-            None if flags().json else lines.show,
-        )  # fmt: skip
+        lines = LineHeard(_written, as_json=flags().json)
+        with lines.kept(dish):
+            ended = follow_task(dish, kind, values, HOLDER, TAKES_S, "{} of {} directions heard …", lines.show)
         demo = dish.state.demo
-    if flags().json:
-        tell_json({**ended.found, "demo": demo})
-    elif "rise" in ended.found:
-        tell(ended.why)
-    if "rise" not in ended.found:
-        say(ended.why)
+    if not lines.tell_end(ended, demo=demo):
         context.exit(exits.NOT_DONE)
 
 
-class _Lines:
-    """Prints each direction once."""
-
-    def __init__(self) -> None:
-        self._told = 0
-
-    def show(self, task: TaskState) -> None:
-        """Print what is new."""
-        from birdcage.cli.say import tell
-
-        line = task.found.get("line", ())
-        assert isinstance(line, tuple), "it is rows of numbers"
-        for az_deg, el_deg, mean, scatter, _count in line[self._told :]:
-            tell(f"{az_deg:7.2f} {el_deg:6.2f} {mean:8.1f} ±{scatter:.1f}")
-        self._told = len(line)
+def _written(row: Sequence[float]) -> str:
+    az_deg, el_deg, mean, scatter, _count = row
+    return f"{az_deg:7.2f} {el_deg:6.2f} {mean:8.1f} ±{scatter:.1f}"
