@@ -7,6 +7,7 @@ import re
 
 import pytest
 from birdcage.base.geometry import shortest_turn
+from birdcage.cli.say import Progress
 from birdcage.sim.almanac import geostationary
 from birdcage.sim.settings import SimSettings
 
@@ -74,3 +75,15 @@ def test_beyond_the_limits_it_is_refused(run):
     result = run("peak", "150", "19")
     assert result.exit_code == 1
     assert "below the floor of 18.00°" in result.stderr
+
+
+def test_a_terminal_sees_a_bar_that_grows(run, monkeypatch):
+    shown = []
+    monkeypatch.setattr(Progress, "show", lambda _self, text: shown.append(text))
+    assert run("peak", f"{AZ_DEG:.2f}", f"{EL_DEG:.2f}").exit_code == 0
+    bars = [text for text in shown if "directions heard" in text]
+    assert bars[0].startswith("░" * 20 + " 0 of 25 ")
+    assert "█" * 20 + " 25 of 25 directions heard …" in bars
+    full = [text.count("█") for text in bars]
+    assert full == sorted(full)
+    assert all(text.count("█") + text.count("░") == 20 for text in bars)

@@ -20,6 +20,9 @@ _PRINTS = RLock()
 """Held while a line is printed; a signal may come in the middle of one, and have another one printed."""
 
 
+BAR_CELLS = 20
+
+
 def say(sentence: str) -> None:
     """Tell a person something. The terminal may be gone (SIGHUP): what follows must happen all the same."""
     with contextlib.suppress(OSError):
@@ -75,6 +78,12 @@ def position_values(position: Pointing) -> dict[str, object]:
         "modelled": position.modelled,
         "uncertainty_deg": None if position.uncertainty_deg is None else round(position.uncertainty_deg, 3),
     }
+
+
+def bar(done: int, of: int) -> str:
+    """Return how much of something is done, as a bar of fixed width."""
+    full = min(max(round(BAR_CELLS * done / of), 0), BAR_CELLS)
+    return "█" * full + "░" * (BAR_CELLS - full)
 
 
 class Progress:

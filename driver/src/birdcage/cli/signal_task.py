@@ -9,6 +9,7 @@ from birdcage.base.config.signals import OWN_TUNER
 from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.cli.dish import need_position
+from birdcage.cli.say import bar
 from birdcage.signal.slots_heard import seen_from
 from birdcage.sky.observer import Observer
 from birdcage.station.events import TaskChanged
@@ -68,8 +69,8 @@ def follow_task(
     """Have the station do it, show how far it is, and return how it ended.
 
     `doing` is what is shown, with `{}` for how many are done and of how many; `show` is told of each change.
-    BirdcageError where it can't be begun, or
-    is cut short, or takes longer than `takes_s`; LinkError where it ended with the link.
+    BirdcageError where it can't be begun, or is cut short, or takes longer than `takes_s`; LinkError where it ended
+    with the link.
     """
     ended: dict[int, TaskState] = {}
     """By number: another program may have a task of this kind, and this one may be over before its number is known."""
@@ -79,7 +80,8 @@ def follow_task(
             if show is not None:
                 dish.progress.clear()
                 show(event.task)
-            dish.progress.show(doing.format(event.task.done or 0, event.task.of))
+            done, of = event.task.done or 0, event.task.of
+            dish.progress.show(f"{bar(done, of)} {doing.format(done, of)}" if of else doing.format(done, of))
             if event.task.phase is TaskPhase.OVER:
                 ended[event.task.number] = event.task
 
