@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
@@ -26,6 +27,7 @@ LEAST_NAME = 5
 """Columns below which a cut name says nothing."""
 SPAN_S = 60.0
 """What the strip shows, whatever its width."""
+ROUNDING = 1e-6
 NOISES, STEPS = 20.0, 10.0
 """A scale shows so many standard deviations of the noise at least, and so many steps of the digits that are shown."""
 
@@ -102,23 +104,29 @@ class SignalPane(Pane):
         cells.right(cells.width - 1, 0, by, "warn" if age_s > heard.pause_s else "dim")
 
     def _curve(self, cells: Cells, shown: list[SignalSample], view: View, width: int, height: int, axis: int) -> None:
-        now, heard, dots = view.now, view.heard, height * 4 - 1
+        heard, dots, last_x = view.heard, height * 4 - 1, width * 2 - 1
+        # Time goes on by whole dots, so that most rows are as they were in the frame before.
+        now = math.ceil(view.now * last_x / SPAN_S) * SPAN_S / last_x
         values = [sample.value for sample in shown]
         scale = strip_scale(min(values), max(values), _least_span(view), heard.least, height)
         ink = "dim" if _is_old(view) else "accent"
 
         def column(at: float) -> float:
-            return (width * 2 - 1) * (1 - (now - at) / SPAN_S)
+            return last_x * (1 - (now - at) / SPAN_S)
 
         ticks = {scale.dot(tick, dots): tick for tick in scale.ticks} if axis else {}
         for y, tick in ticks.items():
             cells.put(0, 1 + int(y) // 4, f"{tick:{axis}.{scale.decimals}f}", "dim")
         canvas = self._grid(width, height, tuple(ticks), scale.dot(max(values), dots)).copy()
+        # As `column` and `scale.dot` have it, for some five hundred readings; a value on a line stays on its row.
+        left, per_s = column(0.0), last_x / SPAN_S
+        top_y = scale.dot(0.0, dots) + ROUNDING
+        per_unit = scale.dot(1.0, dots) - scale.dot(0.0, dots)
         marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
         for marker in marked:
             canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
         for part in _without_gaps(shown, GAP * heard.pause_s):
-            canvas.trace([(column(sample.at), scale.dot(sample.value, dots)) for sample in part], ink)
+            canvas.trace([(left + sample.at * per_s, top_y + sample.value * per_unit) for sample in part], ink)
         canvas.onto(cells, 1 + axis, 1)
         for marker in marked:
             cells.put(1 + axis + int(column(marker.at)) // 2, 1, str(marker.number), "strong")
