@@ -17,6 +17,8 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 
+from tests.signal.test_recording import recorded, row
+
 KEYS = {" ": "space", "?": "question_mark", ":": "colon", ";": "semicolon", "/": "slash"}
 LINE = [KEYS.get(letter, letter) for letter in "a 0 200"]
 
@@ -129,7 +131,11 @@ PLACES = (
     _dialog("transponder", "SignalPage.do", "f3", "n", **FIELDS),
     _dialog("both polarisations", "SignalPage.do", "f3", "b"),
     _dialog("13 V for the LNB", "SignalPage.do", "f3", "V"),
+    _dialog("recordings", "ReplayDesk._choose", "f3", "R", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
+    _dialog("replay", "ReplayDesk._play", "f3", "R", "enter", dialog="ReplayScreen", holds=""),
+    _dialog("replay, to a time", "ReplayScreen.action_ask_time", "f3", "R", "enter", "g", **FIELDS),
     _dialog("frequency", "CraftTab._ask_frequency", "f2", "c", "F", track="craft-following", **FIELDS),
+    _dialog("find a peak", "CalibratePage._ask_find", "f8", "C", "f"),
     _dialog("forget all peaks", "CalibratePage._ask_begin", "f8", "C", "X"),
     _dialog("name of a fit", "CalibratePage._ask_name", "f8", "C", "a", **FIELDS),
     _dialog("new preset", "ControlPage._add", "f2", "a", **FIELDS),
@@ -156,13 +162,16 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
     """
     presets = folder / "presets.toml"
     add_preset(presets, Preset("Hot Bird", 164.2, 38.1, "13°E"))
+    recordings = folder / "signal.sqlite"
+    if "R" in place.keys:
+        recorded(recordings, [row(second) for second in range(60)])
 
     async def body():
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
             sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), keep_place=lambda *_place: None,
-            calibrate=calibrate_stand_in.make(place.calibrate), **settings,
+            calibrate=calibrate_stand_in.make(place.calibrate), recordings_file=recordings, **settings,
         )  # fmt: skip
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)
@@ -176,6 +185,9 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             await settle(app, pilot)
             for key in place.keys:
                 await pilot.press(key)
+                for _ in range(4 if "R" in place.keys else 0):  # the disk is read by workers
+                    await app.workers.wait_for_complete()
+                    await pilot.pause()
                 await settle(app, pilot)
             return await test(app, pilot, asked[-1] if asked else "")
 

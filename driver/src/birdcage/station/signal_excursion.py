@@ -12,8 +12,12 @@ from birdcage.station.state_store import StateStore
 from birdcage.station.watches import NONSENSE, RSSI_PERIOD_S, RSSI_READS, Watches
 from birdcage.tracking.steps import Hear
 
-TAKES_S = RSSI_READS * RSSI_PERIOD_S + 3.0
+TAKES_S = RSSI_READS * RSSI_PERIOD_S + 2.0
 """An excursion with its changes of menu, on a slow wire; so long at least the dish must have nothing to do."""
+
+
+SNR_EVERY = 3
+"""In so many excursions the SNR is read once."""
 
 
 class SignalExcursion:
@@ -26,6 +30,7 @@ class SignalExcursion:
         self._tells_no_snr = False
         """Whether it has refused the SNR alone, or told nonsense of it."""
         self._begun_at = -math.inf
+        self._visits = 0
         self.under_way = False
 
     def forget(self) -> None:
@@ -52,7 +57,10 @@ class SignalExcursion:
         if moves or not self._antenna.rest.rests or not self._watches.may_begin(now):
             return False
         self._begun_at, self.under_way = now, True
-        todo = [RSSI] * RSSI_READS + ([SNR] if SNR in dish.features and not self._tells_no_snr else [])
+        # In the place of a reading, as a longer visit would leave the position older than two seconds.
+        self._visits += 1
+        tells_snr = SNR in dish.features and not self._tells_no_snr and self._visits % SNR_EVERY == 0
+        todo = [RSSI] * (RSSI_READS - 1) + [SNR if tells_snr else RSSI]
         self._watches.begin(todo, now)
         self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
         return True

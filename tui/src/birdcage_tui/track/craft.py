@@ -83,6 +83,8 @@ class CraftTab(Vertical):
         super().__init__(id=id)
         self._shown = VIEWS[0]
         self._searching = False
+        self._enter_waits = False
+        """Whether Enter was pressed before what was typed had been searched for."""
         self._arranged: object = None
 
     def compose(self) -> ComposeResult:
@@ -164,6 +166,13 @@ class CraftTab(Vertical):
         self.lay_out(view)
         for pane in self.query(Pane):
             pane.show(view)
+        source = self.host.track.source
+        if self._enter_waits and source is not None and self._is_found(view):
+            self._take(view, source)
+
+    def _is_found(self, view: View) -> bool:
+        """Return whether the list is that of what is typed."""
+        return view.track is None or view.track.query == self.query_one(Input).value
 
     # What the keys do.
 
@@ -237,8 +246,9 @@ class CraftTab(Vertical):
             self.host.action_command("release")
         elif self.listing(view):
             chosen = self.query_one(FoundList).chosen(view)
-            if self._searching and view.track is not None and view.track.query != self.query_one(Input).value:
-                self.host.say("Still searching. Press Enter again.")
+            self._enter_waits = self._searching and not self._is_found(view)
+            if self._enter_waits:
+                self.host.say("Searching. Enter counts once it is found.")
                 return
             if chosen is None:
                 note = "" if view.track is None else view.track.found_note
@@ -306,7 +316,7 @@ class CraftTab(Vertical):
 
     def _close_search(self) -> None:
         field = self.query_one(Input)
-        self._searching = False
+        self._searching = self._enter_waits = False
         if field.has_focus:
             self.screen.set_focus(None)
         field.disabled = True
@@ -322,6 +332,7 @@ class CraftTab(Vertical):
         """Look for what was typed so far."""
         event.stop()
         if self._searching:
+            self._enter_waits = False
             self.query_one(FoundList).restart()
             self._search(event.value)
 
