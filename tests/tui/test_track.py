@@ -218,6 +218,29 @@ def test_typing_searches_and_enter_takes_the_row_under_the_cursor():
     assert focused is None
 
 
+@pytest.mark.parametrize(("then", "chosen"), [((), [("choose", "moon")]), (("o",), []), (("escape",), [])])
+def test_enter_before_the_answer_counts_once_it_comes_unless_something_else_is_typed(then, chosen, monkeypatch):
+    async def hurry(app, pilot, desk):
+        await pilot.press("slash")
+        await pilot.pause()
+        search, late = desk.search, []
+        monkeypatch.setattr(desk, "search", late.append)
+        await pilot.press(*"mo", "enter")
+        await pilot.pause()
+        early, text = list(desk.asked), stand_in.text_of(app)
+        await pilot.press(*then)
+        search("mo")
+        await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return early, text, [each for each in desk.asked if each[0] == "choose"]
+
+    early, text, asked = run(hurry, "craft-idle")
+    assert not [each for each in early if each[0] == "choose"]
+    assert "Enter counts once it is found." in text
+    assert asked == chosen
+
+
 def test_esc_closes_the_search_and_asks_for_nothing():
     async def leave(app, pilot, desk):
         await pilot.press("slash")
