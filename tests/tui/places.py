@@ -162,16 +162,14 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
     """
     presets = folder / "presets.toml"
     add_preset(presets, Preset("Hot Bird", 164.2, 38.1, "13°E"))
-    recordings = folder / "signal.sqlite"
-    if "R" in place.keys:
-        recorded(recordings, [row(second) for second in range(60)])
 
     async def body():
         asked = []
         app = stand_in.app_in(
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
             sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), keep_place=lambda *_place: None,
-            calibrate=calibrate_stand_in.make(place.calibrate), recordings_file=recordings, **settings,
+            calibrate=calibrate_stand_in.make(place.calibrate),
+            recordings_file=recordings_in(folder) if "R" in place.keys else None, **settings,
         )  # fmt: skip
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)
@@ -183,15 +181,28 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         app.push_screen = push_screen
         async with app.run_test(size=size or place.size) as pilot:
             await settle(app, pilot)
-            for key in place.keys:
-                await pilot.press(key)
-                for _ in range(4 if "R" in place.keys else 0):  # the disk is read by workers
-                    await app.workers.wait_for_complete()
-                    await pilot.pause()
-                await settle(app, pilot)
+            await press(app, pilot, *place.keys)
             return await test(app, pilot, asked[-1] if asked else "")
 
     return asyncio.run(body())
+
+
+def recordings_in(folder):
+    """Record a minute, and return the file."""
+    path = folder / "signal.sqlite"
+    if not path.exists():
+        recorded(path, [row(second) for second in range(60)])
+    return path
+
+
+async def press(app, pilot, *keys):
+    """Press keys, each once what the one before has brought is drawn."""
+    for key in keys:
+        await pilot.press(key)
+        for _ in range(4 if "R" in keys else 0):  # the disk is read by workers
+            await app.workers.wait_for_complete()
+            await pilot.pause()
+        await settle(app, pilot)
 
 
 async def settle(app, pilot):

@@ -16,7 +16,7 @@ import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.raw import CONSOLE
-from places import PLACES, settle
+from places import PLACES, press, recordings_in, settle
 from said import Said
 
 SMALL, LARGE = (80, 24), (160, 48)
@@ -41,6 +41,7 @@ def app_of(folder, place=None, state="idle"):
         state, setup=setup_stand_in.ENGINES[place.engine if place else "home"], presets_file=presets,
         history_file=folder / "history", sky=sky_stand_in.make(), horizon=horizon_stand_in.File(),
         keep_place=lambda *_place: None, calibrate=calibrate_stand_in.make(place.calibrate if place else "five"),
+        recordings_file=recordings_in(folder),
     )  # fmt: skip
     app.track._make = track_stand_in.Source(
         track_stand_in.desk_in(place.track if place else "craft-idle", app.session.clock)
@@ -55,12 +56,6 @@ def play(app, size, body):
             await body(pilot)
 
     asyncio.run(run())
-
-
-async def press(app, pilot, *keys):
-    for key in keys:
-        await pilot.press(key)
-        await settle(app, pilot)
 
 
 async def leave(app, pilot, *last):
