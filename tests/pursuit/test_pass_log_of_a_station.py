@@ -81,6 +81,7 @@ def test_what_stands_still_is_logged_with_what_the_tuner_hears_meanwhile(bench, 
     kept = read_samples(paths.journal, record.number)
     assert len(kept) >= 6
     assert [each.unit for each in kept[1:]] == ["counts"] * (len(kept) - 1)
-    assert {each.signal_n for each in kept[1:]} == {4}, "an excursion has four readings"
+    assert all(each.signal_n >= 3 for each in kept[1:]), "an excursion has four readings, or three and the SNR"
     assert all(each.signal_scatter is not None for each in kept[1:])
-    assert all(each.snr_db is not None for each in kept[1:]), "and ends with the SNR"
+    told = [each.snr_db is not None for each in kept[1:]]
+    assert 1 <= sum(told) <= len(told) // 2, "every third one tells the SNR"
