@@ -63,6 +63,7 @@ def test_what_it_follows_goes_on_when_the_command_is_gone(start, pty_dish, stati
 @pytest.mark.parametrize("pty_dish", ["seed=1&az_speed=10"], indirect=True)
 def test_ctrl_c_is_stop(run, as_json, start, pty_dish, station) -> None:
     process = start("track", SLOT, "--engage", "--json", "--port", pty_dish.path)
+    told_first = process.stdout.readline()
     pty_dish.wait_for_motion()
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=30)
@@ -70,7 +71,7 @@ def test_ctrl_c_is_stop(run, as_json, start, pty_dish, station) -> None:
     pty_dish.wait_for(lambda truth: not truth.moving)
     assert abs(pty_dish.device.truth().az_deg - 164.84) > 10.0
     assert as_json(run("status", "--json", port=pty_dish.path))["held"] is True
-    assert "plan" in [json.loads(line)["event"] for line in out.splitlines()]
+    assert "plan" in [json.loads(line)["event"] for line in (told_first + out).splitlines()]
     assert "The dish was last seen at" in err
 
 

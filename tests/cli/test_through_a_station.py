@@ -6,11 +6,16 @@ import json
 import signal
 import threading
 import time
+from concurrent.futures import Future
 
 import pytest
+from birdcage.base.clock import RealClock
 from birdcage.base.paths import Paths
+from birdcage.cli.attached_command import AttachedCommand
+from birdcage.cli.exits import EndedBySignal
 from birdcage.station.control_client import find_owner, owners_folder
-from birdcage.station.requests import AcquireLease, Goto
+from birdcage.station.requests import AcquireLease, EndMotion, Goto
+from birdcage.station.state import LinkPhase, LinkState, StationState
 from pty_dish import PtyDish
 
 
@@ -78,6 +83,39 @@ def test_ctrl_c_is_stop_for_all(start, pty_dish, owner) -> None:
     assert owner.station.state.held.by == "Ctrl+C"
     assert not pty_dish.device.truth().moving
     assert "`birdcage release` lets it move again." in err
+
+
+class SilentStation:
+    """Answers nothing; a signal comes right behind what is asked."""
+
+    def __init__(self) -> None:
+        self.clock, self.state = RealClock(), StationState(port="x", link=LinkState(LinkPhase.UP, 0.0))
+        self.asked, self.stops, self.then = [], [], lambda: None
+
+    def subscribe(self, listener) -> None:
+        """Tell nothing."""
+
+    def submit(self, request) -> Future:
+        self.asked.append(type(request))
+        if len(self.asked) == 1:
+            self.then()
+        return Future()
+
+    def stop(self, by) -> None:
+        self.stops.append(by)
+
+
+@pytest.mark.parametrize(
+    ("request_", "stops"), [(Goto(15.0, 46.0, "birdcage move"), ["Ctrl+C"]), (AcquireLease("birdcage move"), [])]
+)
+def test_ctrl_c_is_stop_before_the_motion_asked_for_is_heard_of(request_, stops) -> None:
+    station = SilentStation()
+    command = AttachedCommand(station, "birdcage move", moves=True)
+    station.then = lambda: command.on_signal(signal.SIGINT)
+    with pytest.raises(EndedBySignal):
+        command.ask(request_, 5.0)
+    assert station.stops == stops
+    assert station.asked[1:] == ([] if stops else [EndMotion])
 
 
 def test_a_command_that_is_ended_ends_its_motion_and_holds_nothing(start, pty_dish, owner) -> None:

@@ -18,6 +18,8 @@ SAID = {
 """What is said, and the keys that it means."""
 CANCEL = " Cancel "
 """A button that Tab reaches."""
+LIVE = "l live"
+"""So a replay is left. Under a dialog of its own this shows, too, and is not meant."""
 
 
 def layers_of(app):
@@ -35,7 +37,7 @@ def layered():
 
 def named(text):
     flat = " ".join(re.sub("[│╭╮╰╯─]", " ", text).split())
-    return next((words for words in (*SAID, CANCEL) if words in text or words in flat), None)
+    return next((words for words in (*SAID, CANCEL, LIVE) if words in text or words in flat), None)
 
 
 async def press_what_is_named(app, pilot, words):
@@ -46,7 +48,7 @@ async def press_what_is_named(app, pilot, words):
                 break
         await pilot.press("enter")
     else:
-        await pilot.press(*SAID[words])
+        await pilot.press(*({LIVE: ["l"]} | SAID)[words])
     await settle(app, pilot)
 
 

@@ -88,7 +88,7 @@ def test_every_dialog_is_whole_under_row_1(place, size, tmp_path):
         inside = [part for part in places if not isinstance(part, Static) or isinstance(part, AnswerRow)]
         assert_whole(app, inside)
         frame = next((each for each in app.screen.children if each.border_title), None)
-        assert (frame is None) is (place.dialog == "JumpScreen")
+        assert (frame is None) is (place.dialog in ("JumpScreen", "ReplayScreen"))
         if frame is not None:
             assert len(str(frame.border_title)) + 4 <= frame.size.width
         return [str(part.render()) for part in places if isinstance(part, AnswerRow)], text_of(app)

@@ -17,7 +17,7 @@ from birdcage.rotator.feature import POSITION
 from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
 from birdcage.station.network_state import NetworkState
-from birdcage.station.requests import EndMotion, Watch
+from birdcage.station.requests import BeginTask, EndMotion, Goto, Home, Stow, Watch
 from birdcage.station.session import farewell
 from birdcage.station.state import LinkPhase
 
@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 ATTACH_S = 10.0
 """How long a program that has the port may take to answer: as long as `birdcage status` waits for it."""
-
-
 LOOK_S = 3.0
 """How long the next reading of the position is waited for."""
+SETS_IN_MOTION = (Goto, Home, Stow, BeginTask)
+"""Asked for, and not answered: the dish may move already, though this program has not heard so yet."""
 
 
 class AttachedCommand(StationCommand):
@@ -45,7 +45,8 @@ class AttachedCommand(StationCommand):
     @property
     def in_motion(self) -> bool:
         """Whether the dish moves because of this command, and shall not outlive it."""
-        return super().in_motion and self.state.holder == self._holder and not self.leave_moving
+        heard = super().in_motion and self.state.holder == self._holder
+        return (heard or isinstance(self.unanswered, SETS_IN_MOTION)) and not self.leave_moving
 
     def on_signal(self, number: int) -> None:
         """Ctrl+C is a person's STOP. A terminal that is closed stops nothing: the station goes on."""

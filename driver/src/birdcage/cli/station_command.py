@@ -45,6 +45,8 @@ class StationCommand(ABC):
         self.moves = moves
         self.hear_all: Hear | None = None
         """Hears every event, to the last one of the station: also while the end of this command waits for STOP."""
+        self.unanswered: Request | None = None
+        """What was asked and is waited for."""
         self._events: queue.SimpleQueue[Event | None] = queue.SimpleQueue()
         self.number: int | None = None
         """The signal that ends this command."""
@@ -120,9 +122,13 @@ class StationCommand(ABC):
 
     def ask(self, request: Request, timeout_s: float, hear: Hear | None = None) -> object:
         """Submit a request and wait for its result, which may be the error that it raises."""
-        future = self.station.submit(request)
-        self.wait(future, timeout_s, hear)
-        return future.result()
+        self.unanswered = request  # before it is sent: a signal may come at any time
+        try:
+            future = self.station.submit(request)
+            self.wait(future, timeout_s, hear)
+            return future.result()
+        finally:
+            self.unanswered = None
 
     def wait(self, future: Future[object], timeout_s: float, hear: Hear | None = None) -> None:
         """Wait for a future; BirdcageError when it takes too long."""
