@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.geometry import separation
+from birdcage.station.events import TaskChanged
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.requests import EndPursuit, Pursue
 from birdcage.station.state import Activity
@@ -12,6 +13,8 @@ from .pursuit_bench import PARK, at, g2, plan_of
 
 def test_a_whole_pass_from_waiting_to_parked():
     bench = g2()
+    changes = []
+    bench.station.subscribe(changes.append, TaskChanged)
     start = at(bench) + 100.0
     assert bench.pursue(plan_of(start), **PARK) == 1
     assert bench.pursuit.phase is Phase.WAITING
@@ -35,6 +38,7 @@ def test_a_whole_pass_from_waiting_to_parked():
     assert bench.pursuit.rms_error_deg < 0.1
     assert bench.pursuit.max_error_deg < 0.3
     assert 100 < len(bench.samples) < 130
+    assert len(changes) < 30, "of each stage, not of each command"
     assert bench.state.fault is None
 
 

@@ -156,10 +156,12 @@ class Connection:
 
     def note_reply(self) -> None:
         """Copy the console's own figures into the state."""
-        line = self._rotator.line
-        link = self._store.state.link
-        link = replace(link, last_reply=line.last_reply, round_trip_s=line.round_trip_s, stray_bytes=line.stray_bytes)
-        self._store.change(link=link, menu=line.place)
+        line, state = self._rotator.line, self._store.state
+        link = state.link
+        told = line.last_reply, line.round_trip_s, line.stray_bytes, line.place
+        if told != (link.last_reply, link.round_trip_s, link.stray_bytes, state.menu):
+            link = replace(link, last_reply=told[0], round_trip_s=told[1], stray_bytes=told[2])
+            self._store.change(link=link, menu=line.place)
 
     def _retry_later(self, state: LinkPhase, detail: str, reason: Reason | None = None) -> None:
         if not self._settings.reconnect:

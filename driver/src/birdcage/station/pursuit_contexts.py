@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from operator import attrgetter
 from typing import TYPE_CHECKING
 
 from birdcage.antenna.antenna import BirdcageAntenna
@@ -24,6 +25,11 @@ if TYPE_CHECKING:
 
 _NO_MASK = Settings()
 """The horizon mask keeps the dish from nothing."""
+BOUNDED_BY = (
+    "dish", "alignment", "az_offset_deg", "el_min_deg", "el_max_deg", "cable_min_deg", "cable_max_deg", "turn",
+    "no_go_sectors", "beam",
+)  # fmt: skip
+"""What of the station's state `bounds_of` goes by."""
 
 
 def refuse(plan: Plan, now_s: float) -> None:
@@ -78,11 +84,13 @@ def bounds_of(state: StationState) -> PlanBounds:
 
 
 class _DishNow:
-    """The dish as it is now, worked out once for each state: a pursuit asks several times for every command."""
+    """The dish as it is now, worked out anew where something differs: a pursuit asks several times a command."""
+
+    _bounded_by = attrgetter(*BOUNDED_BY)
 
     def __init__(self, store: StateStore, antenna: BirdcageAntenna) -> None:
         self._store, self._antenna = store, antenna
-        self._of: StationState | None = None
+        self._of: tuple[object, ...] = ()
         self._bounds: PlanBounds | None = None
         self._kind: Facts | None = None
         self._speeds: Mapping[int, float] = {}
@@ -98,6 +106,7 @@ class _DishNow:
     def bounds(self) -> PlanBounds:
         """Return what limits its motion."""
         state = self._store.state
-        if self._bounds is None or state is not self._of:
-            self._of, self._bounds = state, bounds_of(state)
+        of = self._bounded_by(state)
+        if self._bounds is None or of != self._of:
+            self._of, self._bounds = of, bounds_of(state)
         return self._bounds

@@ -163,7 +163,8 @@ class TaskRun:
         if self._steps is not steps:
             return
         self._runner.take(step)
-        if self.task.progress != (self.state.done, self.state.of):
+        state = self.state
+        if (*(self.task.progress or (None, None)), self.task.found) != (state.done, state.of, state.found):
             self._show()
         if not self._counted and self._runner.moves and self.state.phase is not TaskPhase.COUNTDOWN:
             self._moves_at_s = self._runner.now_s + COUNTDOWN_S

@@ -14,6 +14,7 @@ import math
 from dataclasses import dataclass
 
 from birdcage.tracking.controller_input import ControllerInput
+from birdcage.tracking.curve import Curve
 from birdcage.tracking.steering.axis_belief import AxisBelief, spans
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
@@ -119,9 +120,9 @@ class _AxisFollower:
         self.belief = belief or AxisBelief(self.axis, (guide.start_az_deg, guide.start_el_deg)[column], guide.now_s)
         self.sent_s = guide.now_s
 
-    def aim(self, acts_s: float, interval: Interval) -> _AxisAim:
+    def aim(self, course: Curve, acts_s: float, interval: Interval) -> _AxisAim:
         """Choose a goal for a command that acts at a time, and is the last one of this axis for an interval."""
-        course, column = self._guide.course(), self._column
+        column = self._column
         goal, ahead_s = self.belief.goal_deg, interval.mean_s / 2.0
         for _ in range(ROUNDS):
             goal = course.at(min(acts_s + ahead_s, self._guide.until_s))[column]
@@ -129,22 +130,22 @@ class _AxisFollower:
             ahead_s = interval.middle_s(move_s) if move_s < interval.mean_s else move_s
         goal = self.belief.quantised(goal, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
-        return _AxisAim(goal, off * self._lift(acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
+        return _AxisAim(goal, off * self._lift(course, acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
 
-    def turn(self, acts_s: float, latency: Latency) -> AxisTurn:
+    def turn(self, course: Curve, acts_s: float, latency: Latency) -> AxisTurn:
         """Return what decides when it is its turn again."""
-        course, column = self._guide.course(), self._column
+        column, lift = self._column, self._lift(course, acts_s)
         before, after = course.at(acts_s - ABOUT_S)[column], course.at(acts_s + ABOUT_S)[column]
-        rate = abs(after - before) / (2.0 * ABOUT_S) * self._lift(acts_s)
-        least = self._least_deg(after - before) * self._lift(acts_s)
+        rate = abs(after - before) / (2.0 * ABOUT_S) * lift
+        least = self._least_deg(after - before) * lift
         return AxisTurn(rate, self.sent_s, latency.of(self.index), least)
 
     def _least_deg(self, way_deg: float) -> float:
         """Return the least way that is worth a command."""
         return max(self._guide.least_way_deg(self.axis), self.axis.least_way_deg(way_deg))
 
-    def _lift(self, at_s: float) -> float:
-        return math.cos(math.radians(self._guide.course().at(at_s)[1])) if self._column == 0 else 1.0
+    def _lift(self, course: Curve, at_s: float) -> float:
+        return math.cos(math.radians(course.at(at_s)[1])) if self._column == 0 else 1.0
 
     def sent(self, goal_deg: float, acted_s: float) -> None:
         """Take in that the dish has acted on a command."""
@@ -172,13 +173,14 @@ def steer(
             for follower, read_deg in zip(followers, (seen.az_deg, seen.el_deg), strict=True):
                 follower.belief.check(read_deg, latency.seen_s(seen))
             continue
-        turns = tuple(follower.turn(now_s, latency) for follower in followers)
+        course = guide.course()
+        turns = tuple(follower.turn(course, now_s, latency) for follower in followers)
         looking = ReadingTimes(look_s if looks else math.inf, guide.look_every_s, latency.mean_s)
         best: tuple[float, _AxisFollower, _AxisAim] | None = None
         for column, follower in enumerate(followers):
             acts_s = now_s + latency.of(follower.index)
             interval = interval_of(column, turns, now_s, looking, latency.variance_s2)
-            aim = follower.aim(acts_s, interval)
+            aim = follower.aim(course, acts_s, interval)
             need = _need_of(aim.off_deg, acts_s - follower.sent_s)
             if aim.due and (best is None or need > best[0]):
                 best = need, follower, aim
