@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import re
 
 import pytest
@@ -14,7 +15,7 @@ from birdcage.signal.meter import MeterError
 from birdcage.signal.meter_source import MeterSource
 from birdcage.signal.metered import metered_source
 from birdcage.signal.rigctl_meter import RigctlMeter
-from birdcage.signal.rtl_tcp_meter import BINS, RtlTcpMeter, Tuned, channel_power, spectrum_of
+from birdcage.signal.rtl_tcp_meter import BINS, RtlTcpMeter, Tuned, block_spectra, level_of
 from birdcage.signal.source import MONITOR
 
 from tests.radio.scripted import Server, sdr
@@ -82,7 +83,22 @@ def test_the_power_of_a_full_tone_is_one():
     pairs = np.column_stack((tone.real, tone.imag)).ravel()
     samples = np.round(pairs * 127.0 + 127.4).clip(0, 255).astype(np.uint8).tobytes()
     wide = Tuned(0.0, 1.0e6, 1.0e6, None)
-    assert channel_power(spectrum_of(samples), wide) == pytest.approx((127.0 / 128.0) ** 2, rel=0.01)
+    level_db, scatter_db = level_of(block_spectra(samples), wide)
+    assert level_db == pytest.approx(20.0 * math.log10(127.0 / 128.0), abs=0.04)
+    assert scatter_db < 0.01
+
+
+def test_of_noise_a_reading_says_how_much_one_of_its_blocks_scatters():
+    receiver = RtlTcp(CHANNEL.freq_hz, carrier_db=-200.0)
+    with served(receiver), opened(RtlTcpMeter(receiver.address, CHANNEL, CLOCK)) as meter:
+        told = level(meter)
+    assert told.n == 100
+    # 200 steps of 1 kHz, two thirds of them independent behind a Hann window: 1 / sqrt(133) of the power.
+    assert told.scatter == pytest.approx(10.0 * math.log10(1.0 + 1.0 / math.sqrt(200.0 / 1.5)), abs=0.1)
+
+
+def test_one_block_alone_has_no_scatter():
+    assert level_of(block_spectra(bytes(2 * BINS)), Tuned(0.0, 1.0e6, 1.0e6, None))[1] is None
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ and Q in turn, a byte each, 127.4 for nothing. A command is a byte and a 32-bit 
 
 from __future__ import annotations
 
-import math
 import socket
 import struct
 from dataclasses import dataclass
@@ -33,6 +32,8 @@ STALE_S = 0.3
 CHUNK = 65_536
 ZERO = 127.4
 """The mean of a sample byte, by the RTL2832U's own offset."""
+LEAST_POWER = 1e-20
+"""Silence has a level, too: -200 dB."""
 DC_BINS = 3
 """The middle of the spectrum holds the receiver's own offset: a channel is measured beside it."""
 
@@ -118,8 +119,9 @@ class RtlTcpMeter:
         taken = bytes(self._samples[:want])
         behind = len(self._samples) - want
         del self._samples[:want]
-        spectrum = spectrum_of(taken)
-        value = 10.0 * math.log10(max(channel_power(spectrum, self._tuned), 1e-20))
+        blocks = block_spectra(taken)
+        spectrum = blocks.mean(axis=0)
+        value, scatter = level_of(blocks, self._tuned)
         seconds = 1.0 / (2.0 * self._tuned.sample_rate_hz)
         dwell_s = want * seconds
         return MeterReading(
@@ -127,7 +129,8 @@ class RtlTcpMeter:
             self._clock.monotonic() - behind * seconds - dwell_s / 2.0,
             dwell_s,
             shown_spectrum(spectrum, self._tuned),
-            want // (2 * BINS),
+            len(blocks),
+            scatter,
         )
 
     def close(self) -> None:
@@ -173,11 +176,11 @@ class RtlTcpMeter:
         self._stale_until = self._clock.monotonic() + STALE_S
 
 
-def spectrum_of(samples: bytes) -> npt.NDArray[np.float64]:
-    """Return the mean power in each of `BINS` steps, from the lowest frequency up; 1 is a tone of full scale.
+def block_spectra(samples: bytes) -> npt.NDArray[np.float64]:
+    """Return the power in each of `BINS` steps, from the lowest frequency up, a row for each block of samples.
 
-    Hann windows one after the other (P. D. Welch, IEEE Trans. Audio Electroacoust. 15, 70, 1967), without overlap.
-    `samples`: I and Q in turn, at least `2 * BINS` bytes.
+    Hann windows one after the other, without overlap; their mean is the spectrum (P. D. Welch, IEEE Trans. Audio
+    Electroacoust. 15, 70, 1967). 1 is a tone of full scale. `samples`: I and Q in turn, at least `2 * BINS` bytes.
     """
     import numpy as np
 
@@ -187,13 +190,15 @@ def spectrum_of(samples: bytes) -> npt.NDArray[np.float64]:
     window = np.hanning(BINS + 1)[:BINS].astype(np.float32)
     transformed = np.fft.fftshift(np.fft.fft(blocks * window, axis=1), axes=1)
     # By the window's own power: then the steps of a channel add up to the power that is in it.
-    power = (transformed.real.astype(np.float64) ** 2 + transformed.imag.astype(np.float64) ** 2).mean(axis=0)
-    scaled: npt.NDArray[np.float64] = power / (BINS * float((window.astype(np.float64) ** 2).sum()))
-    return scaled
+    power: npt.NDArray[np.float64] = transformed.real.astype(np.float64) ** 2 + transformed.imag.astype(np.float64) ** 2
+    return power / (BINS * float((window.astype(np.float64) ** 2).sum()))
 
 
-def channel_power(spectrum: npt.NDArray[np.float64], tuned: Tuned) -> float:
-    """Return the power in the channel, without the steps about the receiver's own offset."""
+def level_of(blocks: npt.NDArray[np.float64], tuned: Tuned) -> tuple[float, float | None]:
+    """Return the level of the channel in dB of full scale, by its mean power, and how much one block scatters, in dB.
+
+    The steps about the receiver's own offset are left out. One block alone has no scatter.
+    """
     import numpy as np
 
     steps = (np.arange(BINS) - BINS // 2) * tuned.sample_rate_hz / BINS
@@ -201,7 +206,9 @@ def channel_power(spectrum: npt.NDArray[np.float64], tuned: Tuned) -> float:
     inside &= np.abs(np.arange(BINS) - BINS // 2) > DC_BINS // 2
     if not inside.any():
         inside[np.abs(steps - (tuned.freq_hz - tuned.centre_hz)).argmin()] = True
-    return float(spectrum[inside].sum())
+    powers = np.maximum(blocks[:, inside].sum(axis=1), LEAST_POWER)
+    scatter = float(np.std(10.0 * np.log10(powers), ddof=1)) if len(powers) > 1 else None
+    return float(10.0 * np.log10(powers.mean())), scatter
 
 
 def shown_spectrum(power: npt.NDArray[np.float64], tuned: Tuned) -> Spectrum:
@@ -209,7 +216,7 @@ def shown_spectrum(power: npt.NDArray[np.float64], tuned: Tuned) -> Spectrum:
     import numpy as np
 
     steps = power.reshape(SHOWN, BINS // SHOWN).sum(axis=1)
-    levels = 10.0 * np.log10(np.maximum(steps, 1e-20))
+    levels = 10.0 * np.log10(np.maximum(steps, LEAST_POWER))
     half, channel = tuned.sample_rate_hz / 2.0, tuned.channel_hz / 2.0
     return Spectrum(
         tuple(map(float, levels)), tuned.centre_hz - half, tuned.centre_hz + half,
