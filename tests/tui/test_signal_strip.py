@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 
@@ -13,7 +14,6 @@ from birdcage.signal.source import Scale, SignalFacts, SignalReading
 from birdcage.signal.tuner import TUNER_FACTS
 from birdcage.station.requests import Release
 from birdcage_tui.drawing.strip_scale import strip_scale
-from birdcage_tui.panes.signal import NOISES
 from birdcage_tui.shown.markers import MOST
 from birdcage_tui.shown.signal_book import SignalBook
 from birdcage_tui.shown.strip_words import statistics_text
@@ -94,13 +94,35 @@ def rows_of(pane):
     )]  # fmt: skip
 
 
-def test_noise_takes_a_small_part_of_the_height_and_a_step_stands_out_of_it():
-    noise = [443.0 + each for each in NOISE * 8]
+@pytest.mark.parametrize("loud", [1.0, 3.0, 10.0])
+def test_noise_takes_a_small_part_of_the_height_and_a_step_stands_out_of_it(loud):
+    noise = [443.0 + loud * each for each in NOISE * 8]
     quiet = shown(noise, size=(160, 48))[1]
     height = quiet._cells.height - 3
-    assert len(rows_of(quiet)) <= height * 8.0 / NOISES
-    stepped = shown([*noise, *(each + 12.0 for each in noise)], size=(160, 48))[1]
+    assert 0.05 * height < len(rows_of(quiet)) <= 0.3 * height
+    stepped = shown([*noise, *(each + 12.0 * loud for each in noise)], size=(160, 48))[1]
     assert len(rows_of(stepped)) > 0.45 * height
+
+
+def test_a_curve_that_grows_looks_as_one_drawn_at_once():
+    async def look(app, pilot):
+        app.signals.book.choose(TUNER_FACTS)
+        pane, kept = app.query_one(StripPane), 0
+        for step in range(60):
+            app.session.clock.advance(3.0 if step == 40 else 0.1)  # a gap, too
+            hear(app, [443.0 + 9.0 * math.sin(step / 4.0)], first_s=0.0)
+            before = pane._traced
+            app.paint()
+            await pilot.pause()
+            kept += before is not None and pane._traced is not None and before[1] is pane._traced[1]
+            grown = pane._cells
+            pane._traced = None
+            pane.show(pane.view)
+            assert pane._cells.rows_unlike(grown) == []
+            pane._traced = None if step % 7 == 0 else pane._traced
+        assert kept > 10, "else nothing was tried"
+
+    stage.run(look, "idle", (120, 36), key="f3")
 
 
 @pytest.mark.parametrize(("width", "said"), [

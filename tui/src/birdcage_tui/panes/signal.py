@@ -30,6 +30,8 @@ SPAN_S = 60.0
 ROUNDING = 1e-6
 NOISES, STEPS = 20.0, 10.0
 """A scale shows so many standard deviations of the noise at least, and so many steps of the digits that are shown."""
+SPANS = 20
+"""Of these it takes one of so many in a decade: the noise is estimated anew with each reading, and the scale rests."""
 
 
 class SignalPane(Pane):
@@ -38,6 +40,8 @@ class SignalPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Signal"
+        self._traced: tuple[object, Braille, SignalSample] | None = None
+        """The curve of the frame before, what it was drawn by, and the reading that it ends with."""
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw words and curve, or what to do to hear something."""
@@ -117,15 +121,21 @@ class SignalPane(Pane):
         ticks = {scale.dot(tick, dots): tick for tick in scale.ticks} if axis else {}
         for y, tick in ticks.items():
             cells.put(0, 1 + int(y) // 4, f"{tick:{axis}.{scale.decimals}f}", "dim")
-        canvas = self._grid(width, height, tuple(ticks), scale.dot(max(values), dots)).copy()
+        marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
+        drawn_by = now, scale, max(values), width, height, axis, ink, tuple(marker.at for marker in marked)
+        known = self._traced
+        if known is not None and known[0] == drawn_by and (first := _place_of(known[2], shown)) is not None:
+            canvas, fresh = known[1], shown[first:]
+        else:
+            canvas, fresh = self._grid(width, height, tuple(ticks), scale.dot(max(values), dots)).copy(), shown
+            for marker in marked:
+                canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
+        self._traced = drawn_by, canvas, shown[-1]
         # As `column` and `scale.dot` have it, for some five hundred readings; a value on a line stays on its row.
         left, per_s = column(0.0), last_x / SPAN_S
         top_y = scale.dot(0.0, dots) + ROUNDING
         per_unit = scale.dot(1.0, dots) - scale.dot(0.0, dots)
-        marked = [marker for marker in self.marked(view) if now - marker.at <= SPAN_S]
-        for marker in marked:
-            canvas.line(column(marker.at), 0, column(marker.at), dots, "dim", every=2)
-        for part in _without_gaps(shown, GAP * heard.pause_s):
+        for part in _without_gaps(fresh, GAP * heard.pause_s):
             canvas.trace([(left + sample.at * per_s, top_y + sample.value * per_unit) for sample in part], ink)
         canvas.onto(cells, 1 + axis, 1)
         for marker in marked:
@@ -152,6 +162,11 @@ class SignalPane(Pane):
             cells.put(1, row, line, ink)
 
 
+def _place_of(sample: SignalSample, shown: Sequence[SignalSample]) -> int | None:
+    """Return where among the newest a reading is; None where it is none of them."""
+    return next((at for at in range(len(shown) - 1, -1, -1) if shown[at] is sample), None)
+
+
 def _without_gaps(shown: Sequence[SignalSample], longest_s: float) -> Iterator[Sequence[SignalSample]]:
     """Yield the parts of what was heard between which nothing was for longer than that."""
     begin = 0
@@ -172,7 +187,8 @@ def _least_span(view: View) -> float:
     noise = None if view.level is None else view.level.noise
     if noise is None:
         return view.heard.span
-    return float(max(NOISES * noise, STEPS * 10.0**-view.heard.decimals))
+    least = max(NOISES * noise, STEPS * 10.0**-view.heard.decimals)
+    return float(10.0 ** (math.ceil(math.log10(least) * SPANS) / SPANS))
 
 
 def why_no_signal(view: View) -> str:
