@@ -4,7 +4,7 @@ import pytest
 import sky_stand_in
 import stand_in
 from birdcage_tui.drawing.canvas import Braille, Cells
-from birdcage_tui.drawing.cell_text import cell_len, cut, elide, fit, pad, wrap
+from birdcage_tui.drawing.cell_text import cell_len, cut, elide, fit, pad, shorten, wrap
 from birdcage_tui.drawing.themes import DEFAULT, LOOKS
 from stage import run
 
@@ -16,6 +16,7 @@ def test_no_cut_is_wider_than_it_may_be_and_padding_is_exact(width):
     for text in (FENGYUN, TOKYO, f"A{FENGYUN}B", "plain words", "e\u0301te\u0301 a\u0300 la mer"):
         assert cell_len(cut(text, width)) <= width
         assert cell_len(elide(text, width)) <= width
+        assert cell_len(shorten(text, width)) <= width
         assert cell_len(fit(text, width)) <= width
         assert cell_len(pad(text, width)) == width
         assert all(cell_len(row) <= width + 3 for row in wrap(f"{text} {text}", width + 3))
@@ -25,6 +26,22 @@ def test_the_middle_of_a_long_name_gives_way_and_both_ends_stay():
     assert elide("METEOR-M2 4 (AP) of 2024-039A", 15) == "METEOR-…24-039A"
     assert fit("STARLINK-31415 of group 6-77", 16) == "STARLINK…up 6-77"
     assert fit("METEOR-M2 4 (AP)", 12) == "METEOR-M2 4"
+
+
+@pytest.mark.parametrize(("width", "said"), [
+    (69, "Peak at azimuth 132.75° ±0.09°, 132 over the floor of 419, 5.5° wide."),
+    (68, "Peak at azimuth 132.75° ±0.09°, 132 over the floor of 419 …"),
+    (58, "Peak at azimuth 132.75° ±0.09° …"),
+    (38, "Peak at azimuth 132.75° ±0.09° …"),
+    (30, "Peak at azimuth 132.75° …"),
+    (5, "Peak…"),
+])  # fmt: skip
+def test_a_line_ends_where_a_figure_is_whole(width, said):
+    assert shorten("Peak at azimuth 132.75° ±0.09°, 132 over the floor of 419, 5.5° wide.", width) == said
+
+
+def test_a_line_without_parts_ends_behind_a_word():
+    assert shorten("One: the beam looks far ahead of the direction", 31) == "One: the beam looks far ahead …"
 
 
 def test_a_sign_of_two_cells_takes_two_and_half_of_it_is_never_left():

@@ -349,7 +349,7 @@ def test_with_a_sound_system_the_pitch_follows_and_no_bell_rings(size, page):
     if page == "signal":
         assert "tone on: higher is hotter" in words[0]
         assert "bell on: faster is hotter" in words[1]
-        assert "aplay ended. The terminal's bell rings faster as the signal rises." in words[1]
+        assert "aplay ended. Bell on: faster is hotter." in words[1]
 
 
 def test_without_a_sound_system_it_says_why():
@@ -360,7 +360,7 @@ def test_without_a_sound_system_it_says_why():
         return stand_in.text_of(app)
 
     text = stage.run(body, "idle", (120, 36), key="f3", sound=lambda: (None, "Over ssh"))
-    assert "Over ssh there is no sound. The terminal's bell rings faster as the signal rises. t: silence." in text
+    assert "Over ssh there is no sound. Bell on: faster is hotter. t: silence." in text
 
 
 FIT = BeamFit(189.46, 42.17, 0.04, 150.0, 400.0, 6.4, 12)

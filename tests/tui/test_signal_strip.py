@@ -62,6 +62,7 @@ def shown(values, *keys, size=(120, 36), name="idle", facts=TUNER_FACTS, then=()
 @pytest.mark.parametrize(("lowest", "highest", "span", "least", "rows", "ticks"), [
     (441.0, 446.0, 13.0, 0.0, 4, (440.0, 445.0, 450.0)),
     (0.0, 3.0, 13.0, 0.0, 4, (0.0, 5.0)),
+    (399.0, 545.0, 13.0, 0.0, 2, (400.0, 500.0)),
     (-40.2, -39.9, 1.0, None, 10, (-40.4, -40.2, -40.0, -39.8, -39.6)),
     (-60.0, -20.0, 10.0, None, 10, (-60.0, -50.0, -40.0, -30.0, -20.0)),
 ])  # fmt: skip
@@ -198,3 +199,13 @@ def test_the_oldest_gives_way_and_another_source_has_its_own():
     book.choose(RECEIVER)
     assert not book.markers
     assert book.clear_markers() == 0
+
+
+def test_where_there_are_few_rows_the_statistics_take_the_first_and_the_scale_tells_two_values():
+    text, _pane, _station = shown([400.0] * 20 + [545.0] * 20, size=(80, 24))
+    lines = text.splitlines()
+    top = next(y for y, line in enumerate(lines) if "─ Signal ─" in line)
+    rows = lines[top + 1 : next(y for y, line in enumerate(lines) if "last 60 s" in line)]
+    assert "mean 472.5 ±" in rows[0]
+    assert "min 400  max 545  40 readings" in rows[0]
+    assert len([row for row in rows[1:] if re.match(r"│ +\d{3} ", row)]) >= 2, rows

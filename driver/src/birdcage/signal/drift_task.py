@@ -120,7 +120,7 @@ class DriftTask(ItemTask[float]):
         late_s, along_deg = self._late_s(fit), self._along(fit)
         when = f"{abs(late_s):.0f} s {'after' if late_s >= 0.0 else 'before'} the prediction"
         return (
-            f"Heard best {when}: the beam looks {abs(along_deg):.2f}° ±{fit.sigma_deg:.2f}° "
-            f"{'ahead of' if along_deg >= 0.0 else 'behind'} the dish's direction, along the path. "
-            f"{fit.width_deg:.1f}° wide, {fit.rise_words}."
+            f"The beam looks {abs(along_deg):.2f}° ±{fit.sigma_deg:.2f}° "
+            f"{'ahead of' if along_deg >= 0.0 else 'behind'} the dish's direction, along the path: "
+            f"heard best {when}. {fit.width_deg:.1f}° wide, {fit.rise_words}."
         )

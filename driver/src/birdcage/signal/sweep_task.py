@@ -111,8 +111,8 @@ class SweepTask(ItemTask[tuple[float, float]]):
             return NO_SOURCE if self._heard else LOST
         axis, deg = ("azimuth", fit.az_deg) if self.axis == "az" else ("elevation", fit.el_deg)
         return (
-            f"Peak at {axis} {deg:.2f}° ±{fit.sigma_deg:.2f}°, {fit.width_deg:.1f}° wide on the sky, "
-            f"{fit.rise_words} of {fit.floor:.{1 if fit.unit else 0}f}{fit.unit}."
+            f"Peak at {axis} {deg:.2f}° ±{fit.sigma_deg:.2f}°, "
+            f"{fit.rise_words} of {fit.floor:.{1 if fit.unit else 0}f}{fit.unit}, {fit.width_deg:.1f}° wide."
         )
 
     def result(self) -> BeamFit | None:

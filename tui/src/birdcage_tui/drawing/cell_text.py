@@ -7,7 +7,9 @@ import unicodedata
 
 from rich.cells import cell_len, get_character_cell_size, set_cell_size
 
-__all__ = ["cell_len", "cut", "elide", "fit", "pad", "pieces", "wrap"]
+__all__ = ["cell_len", "cut", "elide", "fit", "pad", "pieces", "shorten", "wrap"]
+BREAKS = ("  ", ". ", ", ", ": ", " (")
+"""Where one thing ends that a line tells, and the next one begins."""
 _FILLER = "\ue000"
 """Stands for the second cell of a wide sign while rows are wrapped: for private use, so no text holds it."""
 
@@ -48,6 +50,20 @@ def fit(name: str, width: int) -> str:
     if cell_len(name) > width:
         name = name.partition(" (")[0]
     return elide(name, width)
+
+
+def shorten(text: str, width: int) -> str:
+    """Return as much of a line as is whole in so many cells: no figure loses what belongs to it.
+
+    It ends where one thing is told, with an ellipsis; where that would leave less than half of the room, behind a word.
+    """
+    if cell_len(text) <= width:
+        return text
+    begin = _begin(text, width - 1)
+    end = max(begin.rfind(mark) for mark in BREAKS)
+    if cell_len(begin[: max(end, 0)]) * 2 < width:
+        end = begin.rfind(" ")
+    return f"{begin[:end].rstrip(' ,:(')} …" if end > 0 else cut(text, width)
 
 
 def wrap(text: str, width: int, *, indent: str = "", most: int | None = None) -> list[str]:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 APART, TIGHT, TALL = 2.0, 1.5, 8
-"""Rows that two lines are apart at least; where there are fewer than `TALL`, `TIGHT`."""
+"""Rows that two lines are apart at least; where there are fewer than `TALL`, `TIGHT`; one, where only then two show."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,10 @@ def strip_scale(lowest: float, highest: float, span: float, least: float | None,
     if least is not None:
         low = max(least, low)
         high = max(high, low + spare / 2.0)
-    return StripScale(low, high, _round_up((high - low) * (APART if rows >= TALL else TIGHT) / max(rows, 2)))
+    rows = max(rows, 2)
+    scale = StripScale(low, high, _round_up((high - low) * (APART if rows >= TALL else TIGHT) / rows))
+    closer = StripScale(low, high, _round_up((high - low) / rows))
+    return closer if len(scale.ticks) < 2 <= len(closer.ticks) else scale
 
 
 def _round_up(step: float) -> float:

@@ -58,7 +58,7 @@ def arrange(
     sky = beside
     if not beside and rest >= SKY_HEIGHT + (4 if heard else 0):
         sky, rest = True, min(rest - SKY_HEIGHT, 5) if heard else 0
-    if heard and rest >= 2:
+    if heard and rest >= (1 if wrong else 2):
         return PocketLayout(digits, reading, rest, 0, keys, stop, sky, beside, column)
     if rest >= (2 if wrong else 1):
         return PocketLayout(digits, reading, 0, rest, keys, stop, sky, beside, column)

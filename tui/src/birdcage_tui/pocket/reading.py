@@ -5,7 +5,7 @@ from __future__ import annotations
 from textual.geometry import Region
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import fit, pad, wrap
+from birdcage_tui.drawing.cell_text import fit, pad, shorten, wrap
 from birdcage_tui.drawing.digits import angle_text, put_big, width_of
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
 from birdcage_tui.shown.allowed import can_home, can_release
@@ -56,10 +56,10 @@ def _mending(view: View) -> str | None:
 
 
 def whole(words: str, width: int) -> str:
-    """Return as many whole sentences as fit; of a first one that does not, as much of it as does."""
+    """Return as many whole sentences as fit; of a first one that does not, what it tells first."""
     while len(words) > width and ". " in words:
         words = words[: words.rindex(". ") + 1]
-    return words if len(words) <= width else f"{words[: width - 2]} …"
+    return shorten(words, width)
 
 
 class PocketReading(Pane):

@@ -14,10 +14,13 @@ class PocketSignal(SignalPane):
     """As the strip of the dashboard, for who has a hand on the dish."""
 
     @staticmethod
-    def write_reading(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
-        """Write the level, then what counts; the words of the dashboard where there is no peak yet."""
+    def write_reading(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:  # noqa: ARG004
+        """Write the level, then what counts; the words of the dashboard where there is no peak yet.
+
+        For what it is read stands in the row of the target.
+        """
         if view.level is None or not short_words(view, cells.width):
-            SignalPane.write_reading(cells, view, shown, source)
+            SignalPane.write_reading(cells, view, shown, view.heard_by)
             return
         late = is_late(view, view.level)
         x = cells.put(1, 0, value_text(view.level.level, view.heard), "dim" if late else "strong")

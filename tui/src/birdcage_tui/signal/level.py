@@ -50,7 +50,7 @@ class LevelPane(Pane):
         first = f"% of {peak_words(view)}  {TRENDS[level.trend]}" if level.share is not None else view.heard.unit
         ink = "dim" if late else "accent-strong" if level.trend is Trend.HOTTER else "text"
         cells.put(x, tall - 3, cut(first.rstrip(), cells.width - x - 1), ink)
-        cells.put(x, tall - 2, cut(_with_floor(level, view), cells.width - x - 1), "text")
+        cells.put(x, tall - 2, cut(_with_floor(level, view, cells.width - x - 1), cells.width - x - 1), "text")
         cells.put(x, tall - 1, cut(_age(level, view), cells.width - x - 1),
                   "warn" if late else "dim")  # fmt: skip
         if cells.height > tall + 1:
@@ -69,12 +69,14 @@ class LevelPane(Pane):
             cells.put(2, row, "█" * filled, "dim" if late else "accent")
 
 
-def _with_floor(level: LevelNow, view: View) -> str:
+def _with_floor(level: LevelNow, view: View, room: int) -> str:
     """Return the level over the lowest that was heard, or that peak and floor are still to be told apart."""
     heard, lowest = view.heard, "lowest" if followed_name(view) else "floor"
-    noise = "" if level.noise is None else f", noise ±{level.noise:.{max(heard.decimals, 1)}f}"
     if level.floor is None or level.share is None:
-        return f"no peak yet{noise}"
+        noise = "" if level.noise is None else f", noise ±{level.noise:.{max(heard.decimals, 1)}f}"
+        return next(
+            (words for words in (f"no peak yet{noise}", f"no peak{noise}") if len(words) <= room), "no peak yet"
+        )
     return f"{value_text(level.level, heard)} {heard.unit}, {lowest} {value_text(level.floor, heard)}"
 
 

@@ -12,6 +12,7 @@ from typing import TypeVar, cast
 from birdcage.base.errors import BirdcageError
 from birdcage.signal.recordings import Recording, list_recordings
 from birdcage.signal.replay import Tape, TapeWindow, open_tape, read_window
+from textual import events
 from textual.app import App, ComposeResult
 from textual.containers import Container
 from textual.timer import Timer
@@ -37,6 +38,8 @@ Found = TypeVar("Found")
 FRAME_S = 0.1
 """Between two frames while it plays."""
 STEP_S, LEAP_S = 10.0, 60.0
+LOW = 20
+"""Rows below which there is no room for three frames."""
 EXAMPLES = "12:30:10, +2m, -30s or 2026-11-22 04:10 (UTC)"
 
 
@@ -76,6 +79,9 @@ class ReplayScreen(Dialog[None]):
     ReplayScreen ReplayLevelPane { height: 6; }
     ReplayScreen ReplayStripPane { height: 2fr; }
     ReplayScreen ReplayWholePane { height: 1fr; min-height: 5; }
+    ReplayScreen.-low ReplayLevelPane, ReplayScreen.-low ReplayStripPane { border: none; }
+    ReplayScreen.-low ReplayLevelPane { height: 4; }
+    ReplayScreen.-low ReplayWholePane { display: none; }
     """
     BINDINGS = [  # noqa: RUF012
         ("l,q,escape", "leave", "live"), ("p", "pause", "pause"), ("plus,equals_sign", "speed(1)", "faster"),
@@ -101,6 +107,10 @@ class ReplayScreen(Dialog[None]):
             yield ReplayStripPane(self.deck)
             yield ReplayWholePane(self.deck)
             yield ReplayKeys(self.deck)
+
+    def on_resize(self, event: events.Resize) -> None:
+        """Leave frames and the picture of the whole away where there are few rows."""
+        self.set_class(event.size.height < LOW, "-low")
 
     def on_mount(self) -> None:
         """Read, and play."""
@@ -189,7 +199,8 @@ class ReplayScreen(Dialog[None]):
             return ""
 
         words = f"From {tape.begins:%Y-%m-%d %H:%M:%S}Z to {tape.ends:%H:%M:%S}Z. Shown now is {at:%H:%M:%S}Z."
-        self.app.push_screen(FieldsScreen("Jump to a time", words, (FieldRow("UTC", "", EXAMPLES),), check), self._jump)
+        row = FieldRow("UTC", "", EXAMPLES)
+        self.app.push_screen(FieldsScreen("Jump to a time", words, (row,), check, enter="Enter jumps"), self._jump)
 
     def _jump(self, values: Values | None) -> None:
         if values is None:

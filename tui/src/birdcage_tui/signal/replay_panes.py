@@ -10,7 +10,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.signal.recording import RecordedReading
 
 from birdcage_tui.drawing.canvas import Braille, Cells
-from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.drawing.cell_text import cut, shorten
 from birdcage_tui.drawing.digits import put_big
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
@@ -65,8 +65,13 @@ class ReplayBanner(ReplayPane):
         state = "at its end" if deck.is_over else "paused" if deck.paused else f"speed ×{deck.speed:g}"
         if deck.is_reading:
             state = "reading the disk"
-        said = f" ◀◀ {demo}REPLAY {deck.at:%Y-%m-%d} {clock_text(deck.at)}  {state}  not live"
-        x = cells.put(0, 0, said, "bar-warn")
+        at = clock_text(deck.at)
+        forms = (
+            f" ◀◀ {demo}REPLAY {deck.at:%Y-%m-%d} {at}  {state}  not live",
+            f" ◀◀ {demo}REPLAY {at}  {state}",
+            f" ◀◀ REPLAY {at}  {state}",
+        )
+        x = cells.put(0, 0, next((form for form in forms if len(form) < cells.width), forms[-1]), "bar-warn")
         which = f"recording {recording.number}: {recording.source}, {recording.unit} "
         if x + len(which) < cells.width:
             cells.right(cells.width, 0, which, "bar-warn")
@@ -87,7 +92,7 @@ class ReplayLevelPane(ReplayPane):
         x = put_big(cells, 1, 0, text, "dim" if old else "strong") + 2
         age = "nothing read for a minute" if age_s is None else f"{age_text(age_s)} before"
         for y, words in enumerate([", ".join(filter(None, (unit, _counted(last), age))), *self._words(last)]):
-            cells.put(x, y, cut(words, cells.width - x - 1), "text" if y else "dim")
+            cells.put(x, y, shorten(words, cells.width - x - 1), "text" if y else "dim")
 
     def _words(self, last: RecordedReading | None) -> list[str]:
         best, where, target = self.deck.best, "-", "-"

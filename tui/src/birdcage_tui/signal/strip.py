@@ -10,12 +10,12 @@ from birdcage_tui.panes.signal import SPAN_S, SignalPane
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.markers import Marker
 from birdcage_tui.shown.strip_words import marker_text, statistics_text
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.view import SignalSample, View
 
 WIDE, LIST_WIDE, LIST = 100, 43, 32
 """Columns from which the list of markers is wide, and what it takes then; else what it takes."""
 ROOMY = 8
-"""Rows from which the axis of time has one of its own."""
+"""Rows from which statistics and the axis of time have one each. Below, the statistics take that of the reading."""
 
 
 class StripPane(SignalPane):
@@ -29,7 +29,7 @@ class StripPane(SignalPane):
         shown = [sample for sample in view.signal if view.now - sample.at <= SPAN_S]
         if shown and self._below(cells):
             cells.put(1, cells.height - 1, statistics_text(shown, view.heard, cells.width - 2), "dim")
-        if view.signal and self._below(cells) > 1:
+        if view.signal and self._below(cells):
             self._write_time(cells, view)
         self._write_markers(cells, view)
 
@@ -47,8 +47,18 @@ class StripPane(SignalPane):
         return view.markers
 
     @staticmethod
+    def write_reading(cells: Cells, view: View, shown: list[SignalSample], source: str) -> None:
+        """Write the reading; where there are few rows, the statistics: the panes above tell reading and peak."""
+        if cells.height >= ROOMY or not shown:
+            SignalPane.write_reading(cells, view, shown, source)
+            return
+        room = cells.width - len(source) - 4
+        cells.put(1, 0, statistics_text(shown, view.heard, room), "text")
+        cells.right(cells.width - 1, 0, source, "dim")
+
+    @staticmethod
     def _below(cells: Cells) -> int:
-        return 2 if cells.height >= ROOMY else 1 if cells.height >= 4 else 0
+        return 2 if cells.height >= ROOMY else 0
 
     @staticmethod
     def _list(cells: Cells, view: View) -> int:

@@ -12,7 +12,12 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.signal.level import is_large
 from birdcage_tui.widgets.pane import Pane
 
-LED_BY_PLAN = "The plan leads the dish, so no way to a peak is shown. x begins anew with the best."
+LED_BY_PLAN = (
+    "The plan leads the dish, so no way to a peak is shown. x begins anew with the best.",
+    "The plan leads: no way to a peak. x begins anew with the best.",
+    "The plan leads: no way to a peak.",
+)
+"""The same in fewer words."""
 NONE_YET = "The strongest signal is kept here."
 
 
@@ -69,11 +74,16 @@ class ToPeakPane(Pane):
         cells.put(1, 1, cut(f"best so far  {best}", width), "text")
         sample = None if pursuit is None else pursuit.sample
         if sample is not None:
-            loss = "" if sample.loss_db is None else f", which costs {sample.loss_db:.1f} dB"
-            cells.put(1, 2, cut(f"pointing error  {sample.error_deg:.2f}°{loss}", width), "text")
-        for y, line in enumerate(wrap(LED_BY_PLAN, width), 4):
-            if y < cells.height:
-                cells.put(1, y, line, "dim")
+            error, loss = f"{sample.error_deg:.2f}°", "" if sample.loss_db is None else f"{sample.loss_db:.1f} dB"
+            words = f"pointing error  {error}" + (f", which costs {loss}" if loss else "")
+            words = words if len(words) <= width else f"pointing error {error}, loss {loss}"
+            cells.put(1, 2, cut(words, width), "text")
+        rows = next(
+            (rows for words in LED_BY_PLAN if len(rows := wrap(words, width)) <= cells.height - 4),
+            [],
+        )
+        for y, line in enumerate(rows, 4):
+            cells.put(1, y, line, "dim")
 
     @staticmethod
     def _axis(cells: Cells, x: int, turn_deg: float | None, less: str, more: str, *, large: bool) -> None:

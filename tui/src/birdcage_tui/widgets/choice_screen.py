@@ -11,7 +11,7 @@ from textual.containers import Vertical
 from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
-from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.drawing.cell_text import shorten
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.status import TopRow
 
@@ -70,5 +70,5 @@ class ChoiceScreen(Dialog[str | None]):
 
 def _text(row: ChoiceRow, width: int) -> Text:
     mark = "●" if row.is_present else " "
-    first, second = cut(f"{mark} {row.first}", width), cut(f"  {row.second}", width)
+    first, second = shorten(f"{mark} {row.first}", width), shorten(f"  {row.second}", width)
     return Text.assemble((first, "bold" if row.is_present else ""), ("\n" + second, "" if row.warns else "dim"))

@@ -45,7 +45,7 @@ class PasteInput(Input):
 class FieldsScreen(Dialog[Values | None]):
     """Enter keeps all lines if `check` finds nothing wrong, else its sentence is shown; Cancel keeps nothing.
 
-    `read`: what is understood of the lines, told under them as one types.
+    `read`: what is understood of the lines, told under them as one types; else what the line with the focus is for.
     """
 
     DEFAULT_CSS = """
@@ -56,6 +56,7 @@ class FieldsScreen(Dialog[Values | None]):
     FieldsScreen Input:disabled { color: $dim; }
     FieldsScreen #wrong { color: $warning; margin-top: 1; }
     FieldsScreen #wrong.-read { color: $foreground; }
+    FieldsScreen #wrong.-hint { color: $dim; }
     FieldsScreen #words { margin-bottom: 1; }
     """
     KEYS, OTHER = "Enter saves", "Tab to Cancel"
@@ -113,6 +114,11 @@ class FieldsScreen(Dialog[Values | None]):
         event.stop()
         if self._read is not None:
             self._tell(self._read(self._values), read=True)
+        self._hint()
+
+    def on_descendant_focus(self) -> None:
+        """Say what the line is for, which its own words hide."""
+        self._hint()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Keep, or say what is wrong."""
@@ -123,8 +129,19 @@ class FieldsScreen(Dialog[Values | None]):
         else:
             self.dismiss(self._values)
 
+    def _hint(self) -> None:
+        """Say what the line with the focus is for, where nothing else is told, and on no small screen."""
+        told = self.query_one("#wrong", Static)
+        if (told.content and not told.has_class("-hint")) or self.app.has_class("-tiny"):
+            return
+        lines = zip(self._fields, self.query(Input), strict=True)
+        hint = next((field.hint for field, line in lines if line.has_focus and line.value), "")
+        told.set_class(bool(hint), "-hint")
+        told.update(hint)
+
     def _tell(self, words: str, *, read: bool) -> None:
         told = self.query_one("#wrong", Static)
+        told.remove_class("-hint")
         told.set_class(read, "-read")
         told.update(words)
         self.set_class(bool(words), "-told")

@@ -12,7 +12,7 @@ WAITS_S = 0.3
 """How soon it is looked again while there is nothing to ring for."""
 RENEWS_S = 0.05
 """How often the pitch is set anew."""
-BELL = "The terminal's bell rings faster as the signal rises. t: silence."
+BELL = "Bell on: faster is hotter. t: silence."
 
 
 class PageTone:

@@ -8,7 +8,7 @@ from textual.containers import Horizontal
 from textual.message import Message
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import cell_len, cut, pad, wrap
+from birdcage_tui.drawing.cell_text import cell_len, cut, pad, shorten, wrap
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.pursuit import pursuit_of
 from birdcage_tui.shown.state_words import ACTIVITY, LATE, LINK, age_text, bad_day, calm, through
@@ -171,8 +171,10 @@ class BadDayRow(Pane):
         rows = wrap(
             words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"),
             max(width - 2, 10),
-            most=self.LONGEST if found else 1,
+            most=self.LONGEST,
         )
+        if found is None and len(rows) > 1:
+            rows = [shorten(words, width - 2)]
         return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows] or [""]
 
     def show(self, view: View) -> None:
