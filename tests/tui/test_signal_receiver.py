@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from dataclasses import replace
 from types import MappingProxyType, SimpleNamespace
 
@@ -228,6 +229,10 @@ def test_either_is_shown_with_unit_and_age_inside_the_pane(size):
     text = stage.run(look, "idle", size, key="f3")
     for words in ("612 counts", "240 counts", "3.0s old", "(18 V, horizontal)", "(13 V, vertical)"):
         assert words in text, words
+    told = (re.match(r"│ +(\d+) (?!counts)", line) for line in text.splitlines())
+    labels = [int(found[1]) for found in told if found]
+    assert len(labels) >= 4, labels
+    assert all(label % 10 == 0 for label in labels), labels
 
 
 def test_in_the_demo_the_tuner_is_tuned_and_the_lnb_has_13_volts_afterwards():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 import stage
 from birdcage.signal.source import Scale, SignalFacts, SignalReading, Spectrum
@@ -47,7 +49,8 @@ def test_a_carrier_is_a_line_down_with_its_frequencies_beneath(size):
     lines = text.splitlines()[region.y + 1 : region.bottom - 1]
     assert "1419.788 MHz" in lines[-1]
     assert "1420.812 MHz" in lines[-1]
-    assert "▲" in lines[-1]
+    assert re.search(r"▲ *1420\.400 *▲", lines[-1])
+    assert "newest on top   · from -66  █ from -29 dBFS" in text.splitlines()[region.bottom - 1]
     columns = [line.find("█") for line in lines[:-1]]
     assert len(set(columns)) == 1
     assert columns[0] == pytest.approx(0.6 * region.width, abs=3)

@@ -9,6 +9,7 @@ from birdcage.rotator.feature import EVEN_LEVEL, ODD_LEVEL
 
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cut
+from birdcage_tui.drawing.strip_scale import strip_scale
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.receiver import SUPPLY, value_text
@@ -72,24 +73,24 @@ class PolarisationPane(Pane):
         shown = [sample for sample in heard if view.now - sample[0] <= SPAN_S]
         if not shown or rows < 2:
             return
-        low, high = min(value for _at, value in shown), max(value for _at, value in shown)
-        spare = max(LEAST_COUNTS - (high - low), (high - low) * 0.1)
-        low, high = max(low - spare / 2.0, 0.0), high + spare / 2.0
         axis = 6 if cells.width >= 34 and rows >= 3 else 0
         width, height = max(cells.width - 2 - axis, 1), rows - 1
+        levels = [value for _at, value in shown]
+        scale = strip_scale(min(levels), max(levels), LEAST_COUNTS, 0.0, height)
         canvas, ink = Braille(width, height), "dim" if late else "accent"
 
         def place(sample: tuple[float, float]) -> tuple[float, float]:
             return (
                 (width * 2 - 1) * (1.0 - (view.now - sample[0]) / SPAN_S),
-                (height * 4 - 1) * (1.0 - (sample[1] - low) / (high - low)),
+                scale.dot(sample[1], height * 4 - 1),
             )
 
+        for tick in scale.ticks if axis else ():
+            tick_y = scale.dot(tick, height * 4 - 1)
+            canvas.line(0, tick_y, width * 2 - 1, tick_y, "faint", every=8)
+            cells.put(1, y + 1 + int(tick_y) // 4, f"{tick:5.{scale.decimals}f}", "dim")
         for one, other in itertools.pairwise(shown):
             if other[0] - one[0] <= GAP_S:
                 canvas.line(*place(one), *place(other), ink)
         canvas.dot(*place(shown[-1]), ink)
-        if axis:
-            cells.put(1, y + 1, f"{high:5.0f}", "dim")
-            cells.put(1, y + height, f"{low:5.0f}", "dim")
         canvas.onto(cells, 1 + axis, y + 1)

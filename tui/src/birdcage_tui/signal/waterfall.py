@@ -28,6 +28,7 @@ class WaterfallPane(Pane):
         """Draw as many spectra as there are rows."""
         spectra = view.spectra
         if not spectra:
+            self._legend("")
             cells.put(1, 0, cut(EMPTY.format(view.heard_by), cells.width - 2), "dim")
             return
         width, rows = cells.width - 2, max(cells.height - 1, 1)
@@ -35,6 +36,9 @@ class WaterfallPane(Pane):
         everything = sorted(level for each in shown for level in each.levels)
         low = everything[len(everything) // 4]
         high = max(low + SPAN_DB, everything[-1])
+        shade_db = (high - low) / len(SHADES)
+        faint, dense = (f"{SHADES[each]} from {low + each * shade_db:.0f}" for each in (1, len(SHADES) - 1))
+        self._legend(f"newest on top   {faint}  {dense} {view.heard.unit}")
         for y, spectrum in enumerate(reversed(shown)):
             for x, level in enumerate(_columns(spectrum.levels, width)):
                 shade = SHADES[min(max(int((level - low) / (high - low) * len(SHADES)), 0), len(SHADES) - 1)]
@@ -45,13 +49,22 @@ class WaterfallPane(Pane):
         cells.right(cells.width - 1, y, f"{newest.high_hz / 1e6:.3f} MHz", "dim")
         hz = (newest.high_hz - newest.low_hz) / width
         left, right = ((each - newest.low_hz) / hz for each in newest.channel_hz)
-        words = f"▲ {sum(newest.channel_hz) / 2e6:.3f} ▲" if right - left < 12 else ""
-        x = 1 + round((left + right) / 2.0)
-        if words and x - len(words) // 2 > 14 and x + len(words) // 2 < width - 14:
-            cells.put(x - len(words) // 2, y, words, "accent-strong")
+        words = f"{sum(newest.channel_hz) / 2e6:.3f}"
+        left_x, right_x, ends = round(left), round(right), 14
+        if right_x - left_x < len(words) + 3:  # the arrows stand around the figure where it hides the channel
+            middle = round((left + right) / 2.0)
+            left_x, right_x = middle - len(words) // 2 - 2, middle + len(words) // 2 + 2
+        if left_x > ends and right_x < width - ends:
+            cells.put(1 + (left_x + right_x - len(words) + 1) // 2, y, words, "accent-strong")
         else:
-            cells.put(1 + round(left), y, "▲", "accent-strong")
-            cells.put(1 + round(right), y, "▲", "accent-strong")
+            left_x, right_x = round(left), round(right)
+        cells.put(1 + left_x, y, "▲", "accent-strong")
+        cells.put(1 + right_x, y, "▲", "accent-strong")
+
+    def _legend(self, words: str) -> None:
+        """Tell in the frame what the shades mean."""
+        if self.border_subtitle != words:  # setting it repaints the pane, equal or not
+            self.border_subtitle = words
 
 
 def _columns(levels: Sequence[float], width: int) -> list[float]:
