@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from datetime import timedelta
 
 import pytest
@@ -10,9 +11,12 @@ import stand_in
 from birdcage.signal.recordings import Recording
 from birdcage.signal.replay import Tape, TapePiece, TapeWindow
 from birdcage.station.requests import Goto, Jog
+from birdcage_tui.drawing.canvas import Braille, Cells
+from birdcage_tui.drawing.strip_scale import strip_scale
+from birdcage_tui.drawing.themes import DEFAULT, LOOKS
 from birdcage_tui.signal.replay import ReplayScreen
 from birdcage_tui.signal.replay_deck import ReplayDeck
-from birdcage_tui.signal.replay_panes import ReplayPane
+from birdcage_tui.signal.replay_panes import ReplayPane, _write_levels
 from birdcage_tui.widgets.status import BadDayRow, TopRow
 
 from tests.signal.test_recording import NOON, recorded, row
@@ -74,6 +78,9 @@ def test_it_says_that_it_is_the_past_and_row_1_stays_live(path, size):
     assert "dish 180.00°/42.25°  target 119W" in shown
     assert "lock yes  SNR 7.5 dB  pol V  idle" in shown
     assert "counts, mean of 10 ±1.5" in shown
+    labels = [int(found[1]) for line in shown.splitlines() if (found := re.match(r"│ +(\d+)  ?[^ a-z]", line))]
+    assert len(labels) >= 4, "two of either scale"
+    assert all(label % 10 == 0 for label in labels[:3]), "the strip has room for round ones"
 
 
 @pytest.mark.parametrize("size", SIZES, ids=str)
@@ -249,3 +256,10 @@ def test_one_reading_alone_is_no_division_by_nothing():
     alone = deck(seconds=0, window=(-60, 0))
     alone.play(0.0)
     assert (alone.part, alone.is_over, len(alone.heard)) == (1.0, True, 1)
+
+
+def test_where_no_two_round_levels_have_room_the_ends_are_told():
+    cells, canvas = Cells(40, 3), Braille(30, 2)
+    _write_levels(cells, canvas, strip_scale(412.0, 545.0, 100.0, None, 2))
+    written = ["".join(cells.strip(y, LOOKS[DEFAULT].inks).text).strip() for y in range(2)]
+    assert written == ["552", "405"]

@@ -16,6 +16,7 @@ from birdcage_tui.widgets.status import BadDayRow
 from test_signal_following import passed
 from test_signal_replay import path, replayed  # noqa: F401 - a fixture
 from test_signal_sweep import task
+from textual.widgets import OptionList
 
 RESULT = "Peak at azimuth 132.75° ±0.09°, 12.5 dB over the floor of -60.2 dB, 5.5° wide, as far as it is known."
 
@@ -194,3 +195,15 @@ def test_the_pocket_view_keeps_one_row_of_the_signal_beside_three_of_words():
     assert arrange(40, 11, heard=True, wrong_in=lambda _columns: 3).signal == 1
     assert arrange(40, 11, heard=True, wrong_in=lambda _columns: 0).signal == 2
     assert arrange(40, 11, heard=True, wrong_in=lambda _columns: 4).signal == 0
+
+
+def test_what_is_chosen_from_a_list_is_read_as_well_as_what_it_is_called():
+    async def look(app, pilot):
+        await pilot.press("f", "down")
+        await pilot.pause()
+        rows = app.screen.query_one(OptionList)
+        prompts = [rows.get_option_at_index(index).prompt for index in range(rows.option_count)]
+        return [any(span.style == "dim" for span in prompt.spans) for prompt in prompts]
+
+    dim = stage.run(look, key="f3")
+    assert dim == [True, False, True, True, True]

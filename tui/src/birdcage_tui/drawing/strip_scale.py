@@ -45,7 +45,7 @@ def strip_scale(lowest: float, highest: float, span: float, least: float | None,
     rows = max(rows, 2)
     scale = StripScale(low, high, _round_up((high - low) * (APART if rows >= TALL else TIGHT) / rows))
     closer = StripScale(low, high, _round_up((high - low) / rows))
-    return closer if len(scale.ticks) < 2 <= len(closer.ticks) else scale
+    return closer if len(scale.ticks) < min(2, len(closer.ticks)) else scale
 
 
 def _round_up(step: float) -> float:

@@ -113,10 +113,3 @@ class ReplayDeck:
 def digits_of(values: Sequence[float]) -> int:
     """Return how many digits behind the point values have that are worth showing: none for whole counts."""
     return 1 if any(value % 1.0 for value in values) else 0
-
-
-def scale_of(values: Sequence[float], least_span: float) -> tuple[float, float]:
-    """Return where an axis begins and ends: around all values, no narrower than noise deserves."""
-    low, high = min(values), max(values)
-    spare = max(least_span - (high - low), (high - low) * 0.15, 1e-6)
-    return low - spare / 2.0, high + spare / 2.0

@@ -12,9 +12,10 @@ from birdcage.signal.recording import RecordedReading
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.drawing.cell_text import cut, shorten
 from birdcage_tui.drawing.digits import put_big
+from birdcage_tui.drawing.strip_scale import StripScale, strip_scale
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
-from birdcage_tui.signal.replay_deck import SPAN_S, ReplayDeck, digits_of, scale_of
+from birdcage_tui.signal.replay_deck import SPAN_S, ReplayDeck, digits_of
 from birdcage_tui.widgets.pane import Pane
 
 AXIS_COLUMNS = 8
@@ -163,18 +164,16 @@ class ReplayWholePane(ReplayPane):
         self.title(f"REPLAY: the whole of it, {tape.recording.readings:,} readings")
         span_s = max((tape.ends - tape.begins).total_seconds(), 1e-3)
         width, height = cells.width - AXIS_COLUMNS - 1, cells.height - 1
-        low, high = scale_of(
-            [*(each.low for each in tape.pieces), *(each.high for each in tape.pieces)],
-            LEAST.get(tape.recording.unit, 0.0),
-        )
+        lows, highs = [each.low for each in tape.pieces], [each.high for each in tape.pieces]
+        scale = strip_scale(min(lows), max(highs), LEAST.get(tape.recording.unit, 0.0), None, height)
         canvas = Braille(width, height)
+        _write_levels(cells, canvas, scale)
         for piece in tape.pieces:
             x = (piece.begins - tape.begins).total_seconds() / span_s * (width * 2 - 1)
-            ends = [(height * 4 - 1) * (1.0 - (value - low) / (high - low)) for value in (piece.low, piece.high)]
+            ends = [scale.dot(value, height * 4 - 1) for value in (piece.low, piece.high)]
             canvas.line(x, ends[0], x, ends[1], "accent" if piece.begins <= deck.at else "dim")
         x = deck.part * (width * 2 - 1)
         canvas.line(x, 0, x, height * 4 - 1, "warn")
-        _write_levels(cells, low, high, height)
         canvas.onto(cells, AXIS_COLUMNS, 0)
         cells.put(AXIS_COLUMNS, height, clock_text(tape.begins), "dim")
         cells.right(AXIS_COLUMNS + width, height, clock_text(tape.ends), "dim")
@@ -205,11 +204,13 @@ def plot(
 ) -> None:  # fmt: skip
     """Draw values at places between the ends of an axis; the newest one stands out."""
     width, height = cells.width - AXIS_COLUMNS - 1, cells.height - 1
-    low, high = scale_of([value for _utc, _x, value in points], least)
+    values = [value for _utc, _x, value in points]
+    scale = strip_scale(min(values), max(values), least, None, height)
     canvas, (left, right) = Braille(width, height), ends
+    _write_levels(cells, canvas, scale)
 
     def dot(x: float, value: float) -> tuple[float, float]:
-        return (x - left) / (right - left) * (width * 2 - 1), (height * 4 - 1) * (1.0 - (value - low) / (high - low))
+        return (x - left) / (right - left) * (width * 2 - 1), scale.dot(value, height * 4 - 1)
 
     for _utc, x, value in points:
         canvas.dot(*dot(x, value), "accent")
@@ -219,14 +220,19 @@ def plot(
     x, y = dot(*points[-1][1:])
     canvas.line(x, y - 2, x, y + 2, "strong")
     canvas.line(x - 2, y, x + 2, y, "strong")
-    _write_levels(cells, low, high, height)
     canvas.onto(cells, AXIS_COLUMNS, 0)
 
 
-def _write_levels(cells: Cells, low: float, high: float, height: int) -> None:
-    digits = 0 if high - low >= 10.0 else 1
-    cells.right(AXIS_COLUMNS - 1, 0, f"{high:.{digits}f}", "dim")
-    cells.right(AXIS_COLUMNS - 1, height - 1, f"{low:.{digits}f}", "dim")
+def _write_levels(cells: Cells, canvas: Braille, scale: StripScale) -> None:
+    """Write the round levels of a scale, with a line for each; where there are not two, both its ends."""
+    if len(scale.ticks) < 2:
+        for row, level in ((0, scale.high), (canvas.height - 1, scale.low)):
+            cells.right(AXIS_COLUMNS - 1, row, f"{level:.{0 if scale.high - scale.low >= 10.0 else 1}f}", "dim")
+        return
+    for tick in scale.ticks:
+        y = scale.dot(tick, canvas.height * 4 - 1)
+        canvas.line(0, y, canvas.width * 2 - 1, y, "faint", every=8)
+        cells.right(AXIS_COLUMNS - 1, int(y) // 4, f"{tick:.{scale.decimals}f}", "dim")
 
 
 def _spread(low: float, high: float, least: float) -> tuple[float, float]:

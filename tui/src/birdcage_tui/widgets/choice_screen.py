@@ -52,8 +52,7 @@ class ChoiceScreen(Dialog[str | None]):
             frame.border_title = self._title
             if self._words:
                 yield Static(self._words, id="words", markup=False)
-            width = min(WIDTH, self.app.size.width - 8)
-            yield OptionList(*(Option(_text(each, width), id=each.id) for each in self._rows))
+            yield OptionList(*(Option(self._text(each), id=each.id) for each in self._rows))
 
     def on_mount(self) -> None:
         """Select the one that is in force, or the first."""
@@ -67,8 +66,13 @@ class ChoiceScreen(Dialog[str | None]):
         event.stop()
         self.dismiss(event.option.id)
 
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        """Write both rows of the one that is selected alike: dim is hard to read on its ground."""
+        for index, row in enumerate(self._rows):
+            event.option_list.replace_option_prompt_at_index(index, self._text(row, plain=index == event.option_index))
 
-def _text(row: ChoiceRow, width: int) -> Text:
-    mark = "●" if row.is_present else " "
-    first, second = shorten(f"{mark} {row.first}", width), shorten(f"  {row.second}", width)
-    return Text.assemble((first, "bold" if row.is_present else ""), ("\n" + second, "" if row.warns else "dim"))
+    def _text(self, row: ChoiceRow, *, plain: bool = False) -> Text:
+        mark, width = "●" if row.is_present else " ", min(WIDTH, self.app.size.width - 8)
+        first, second = shorten(f"{mark} {row.first}", width), shorten(f"  {row.second}", width)
+        bold = "bold" if row.is_present or plain else ""
+        return Text.assemble((first, bold), ("\n" + second, "" if row.warns or plain else "dim"))
