@@ -16,6 +16,7 @@ from birdcage_tui.widgets.status import BadDayRow
 from test_signal_following import passed
 from test_signal_replay import path, replayed  # noqa: F401 - a fixture
 from test_signal_sweep import task
+from textual.containers import Vertical
 from textual.widgets import OptionList
 
 RESULT = "Peak at azimuth 132.75° ±0.09°, 12.5 dB over the floor of -60.2 dB, 5.5° wide, as far as it is known."
@@ -207,3 +208,21 @@ def test_what_is_chosen_from_a_list_is_read_as_well_as_what_it_is_called():
 
     dim = stage.run(look, key="f3")
     assert dim == [True, False, True, True, True]
+
+
+@pytest.mark.parametrize("key", ["D", "w"])
+def test_the_line_that_is_typed_into_is_seen_where_a_dialog_is_higher_than_the_screen(key):
+    async def look(app, pilot):
+        await pilot.press(key)
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        found = []
+        for _ in range(4):
+            await pilot.pause()
+            await pilot.pause()
+            line, frame = app.screen.focused, app.screen.query_one(Vertical)
+            found.append(frame.content_region.contains_region(line.region))
+            await pilot.press("tab")
+        return found
+
+    assert stage.run(look, key="f3") == [True] * 4
