@@ -36,6 +36,8 @@ from birdcage_tui.shell.birdcage_app import BirdcageApp
 from textual.pilot import Pilot
 
 STEP_S = 0.1
+FINE_S, COARSE_S = 2.0, 0.5
+"""The end of a longer wait is played as a person sees it, what comes before in longer steps."""
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
 HERE = Settings(
@@ -63,8 +65,11 @@ class Stage:
 
     async def wait(self, seconds: float) -> None:
         """Let so much time of the dish pass."""
-        for _ in range(max(1, round(seconds / STEP_S))):
-            self.app.session.step(STEP_S)
+        left_s = max(seconds, STEP_S)
+        while left_s > STEP_S / 2.0:
+            step_s = COARSE_S if left_s > FINE_S + COARSE_S else STEP_S
+            left_s -= step_s
+            self.app.session.step(step_s)
             self._work()
             await self.pilot.pause()
             self.app._tick()  # noqa: SLF001 - its timer runs in real time
