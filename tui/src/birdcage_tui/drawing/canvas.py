@@ -42,13 +42,13 @@ class Cells:
             for piece, width in pieces(text):
                 x = self._put_piece(x, y, piece, width, ink)
             return x
-        if 0 <= y < self.height:
-            chars, inks = self._chars[y], self._inks[y]
-            for column, char in enumerate(text, x):
-                if 0 <= column < self.width:
-                    if y in self._wide_rows:
-                        self._part(column, y)
-                    chars[column], inks[column] = char, ink
+        first, end = max(x, 0), min(x + len(text), self.width)
+        if 0 <= y < self.height and first < end:
+            if y in self._wide_rows:
+                for column in range(first, end):
+                    self._part(column, y)
+            self._chars[y][first:end] = text[first - x : end - x]
+            self._inks[y][first:end] = [ink] * (end - first)
         return x + len(text)
 
     def run_of(self, ink: str, x: int, y: int) -> int:

@@ -109,8 +109,9 @@ class SignalPane(Pane):
 
     def _curve(self, cells: Cells, shown: list[SignalSample], view: View, width: int, height: int, axis: int) -> None:
         heard, dots, last_x = view.heard, height * 4 - 1, width * 2 - 1
-        # Time goes on by whole dots, so that most rows are as they were in the frame before.
-        now = math.ceil(view.now * last_x / SPAN_S) * SPAN_S / last_x
+        # Time goes on by whole cells, so that most rows are as they were in the frame before.
+        cell_s = 2.0 * SPAN_S / last_x
+        now = math.ceil(view.now / cell_s) * cell_s
         values = [sample.value for sample in shown]
         scale = strip_scale(min(values), max(values), _least_span(view), heard.least, height)
         ink = "dim" if _is_old(view) else "accent"

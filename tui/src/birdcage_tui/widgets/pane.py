@@ -5,6 +5,7 @@ from __future__ import annotations
 from rich.style import Style
 from textual import events
 from textual.geometry import Region
+from textual.screen import Screen
 from textual.strip import Strip
 from textual.widget import Widget
 
@@ -28,6 +29,14 @@ class Pane(Widget):
         self.view: View | None = None
         self.hot: list[tuple[Region, str]] = []
         """Where a click gives which command; filled by `draw`."""
+        self._screen: Screen[object] | None = None
+
+    @property
+    def screen(self) -> Screen[object]:
+        """The screen that it is on: it stays there. Textual climbs up to it several times a frame."""
+        if self._screen is None:
+            self._screen = super().screen
+        return self._screen
 
     @property
     def inks(self) -> dict[str, Style]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from textual import events
 from textual.app import ComposeResult
 from textual.containers import Horizontal
@@ -158,6 +160,13 @@ class TopRow(Horizontal):
                 pane.show(view)
 
 
+@lru_cache(maxsize=8)
+def _wrapped(words: str, width: int, most: int) -> tuple[str, ...]:
+    """Return the rows, Enter beside what it does: the same for many frames."""
+    rows = wrap(words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"), width, most=most)
+    return tuple(row.replace("\N{NO-BREAK SPACE}", " ") for row in rows)
+
+
 class BadDayRow(Pane):
     """Row 2: HELD, LINK LOST, SILENT, NOT HOMED, FAULT in words; else the calm line. Grows when words need room."""
 
@@ -168,14 +177,10 @@ class BadDayRow(Pane):
         """Return the ink and the wrapped rows, one at least."""
         found = bad_day(view)
         ink, words = ("dim", calm(view)) if found is None else found
-        rows = wrap(
-            words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"),
-            max(width - 2, 10),
-            most=self.LONGEST,
-        )
+        rows = [*_wrapped(words, max(width - 2, 10), self.LONGEST)]
         if found is None and len(rows) > 1:
             rows = [shorten(words, width - 2)]
-        return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows] or [""]
+        return ink, rows or [""]
 
     def show(self, view: View) -> None:
         """Take as many rows as the words need."""
