@@ -17,9 +17,9 @@ from tests.signal.test_peak_by_source import FLOOR_DB, WIDTH_DEG, made, run
 SUN_DEG_S = 15.0 / 3600.0
 
 
-def moving(bench, *, az_deg, el_deg, rate_deg_s, length_s):
+def moving(bench, *, az_deg, el_deg, rate_deg_s, length_s, ahead_s=20.0):
     """Return the path of a source that is in a direction in the middle of its time, and goes to the right."""
-    now_s = bench.clock.utc().timestamp() + 20.0
+    now_s = bench.clock.utc().timestamp() + ahead_s
     cos = math.cos(math.radians(el_deg))
     rows = []
     for index in range(61):
@@ -58,17 +58,29 @@ def test_the_difference_is_that_of_powers_with_an_error_that_holds_it():
     assert bench.state.position.az_deg == pytest.approx(180.0, abs=0.1)
 
 
-def test_it_listens_on_the_source_and_on_either_side_in_turn():
-    bench, source = made("g2", (180.0, 45.0))
-    ask(bench, "on-off", path=((0.0, 180.0, 45.0),), away_deg=10.0, axis="el", cycles=2)
-    heard = []
+@pytest.mark.parametrize(("axis", "sides"), [("el", ((180, 50), (180, 60))), ("az", ((169, 55), (191, 55)))])
+def test_it_listens_on_the_source_and_on_either_side_in_turn(axis, sides):
+    bench, source = made("g2", (180.0, 55.0))
+    away_deg = 5.0 if axis == "el" else 11.0 * math.cos(math.radians(55.0))
+    ask(bench, "on-off", path=((0.0, 180.0, 55.0),), away_deg=away_deg, axis=axis, cycles=2)
+    heard, on = [], (180, 55)
     while bench.state.tasks:
         source.tick(bench)
         bench.step(0.05)
-        where = round(bench.state.position.el_deg)
+        where = round(bench.state.position.az_deg), round(bench.state.position.el_deg)
         if bench.state.motion is None and (not heard or heard[-1] != where):
             heard.append(where)
-    assert [each for each in heard if each in (35, 45, 55)] == [45, 35, 55, 45, 35, 55, 45]
+    assert [each for each in heard if each in (on, *sides)] == [on, *sides, on, *sides, on]
+
+
+def test_a_source_beyond_the_limits_is_compared_with_nothing():
+    bench, source = made("g2", (180.0, 10.0))
+    at = bench.clock.monotonic()
+    ask(bench, "on-off", path=((0.0, 180.0, 10.0),), away_deg=12.0, axis="el", cycles=2)
+    ended = run(bench, source)
+    assert not ended.is_done
+    assert "below the floor of 18.00°" in ended.why
+    assert bench.moves_since(at) == []
 
 
 def test_a_side_beyond_the_limits_is_left_out_and_the_other_counts():
@@ -81,11 +93,14 @@ def test_a_side_beyond_the_limits_is_left_out_and_the_other_counts():
 
 def test_an_on_off_follows_a_source_that_moves():
     bench, source = made("g2", (180.0, 45.0))
-    rows = moving(bench, az_deg=180.0, el_deg=45.0, rate_deg_s=0.05, length_s=200.0)
+    rows = moving(bench, az_deg=180.0, el_deg=45.0, rate_deg_s=0.2, length_s=200.0, ahead_s=0.0)
     follows = Follows(bench, source, rows)
     ask(bench, "on-off", path=rows, away_deg=15.0, cycles=2)
     ended = run(bench, follows)
-    assert ended.found["difference"] == pytest.approx(10 * math.log10(31.0), abs=0.4)
+    assert ended.found["difference"] == pytest.approx(10 * math.log10(31.0), abs=0.6)
+    # It ends where the source was as it went back, a second ago, and not where it was heard last.
+    behind_deg = SourcePath.of(rows).at(bench.clock.utc().timestamp())[0] - bench.state.position.az_deg
+    assert 0.0 <= behind_deg < 0.3
 
 
 @pytest.mark.parametrize("right_deg", [0.0, 0.6, -0.4])
@@ -102,6 +117,16 @@ def test_a_drift_scan_tells_how_far_off_the_beam_looks(right_deg):
     assert ended.found["rise"] == pytest.approx(10 * math.log10(31.0), abs=0.5)
     assert len(ended.found["line"]) == 120
     assert len(bench.moves_since(at)) <= 2, "it rests while the sky passes"
+
+
+def test_of_a_scan_that_begins_late_the_rest_is_heard():
+    bench, source = made("g2", (180.0, 40.0))
+    rows = moving(bench, az_deg=180.0, el_deg=40.0, rate_deg_s=0.1, length_s=120.0, ahead_s=-60.0)
+    ask(bench, "drift", path=rows, width_deg=WIDTH_DEG)
+    ended = run(bench, Follows(bench, source, rows))
+    first = ended.found["line"][0]
+    assert 30 < len(ended.found["line"]) < 62
+    assert first[0] > -0.5, "what had passed was not heard"
 
 
 def test_where_nothing_passes_it_says_so():
