@@ -6,7 +6,7 @@ import math
 import random
 
 import pytest
-from birdcage.signal.peak_hold import PeakHold, Trend
+from birdcage.signal.peak_hold import STEP_S, PeakHold, Trend
 from birdcage.signal.source import Scale
 
 NOISE = 0.65
@@ -67,6 +67,23 @@ def test_each_step_towards_it_is_hotter_and_away_from_it_colder():
     assert beam.listen(178.0, 40.0).trend is Trend.HOTTER
     assert beam.listen(177.0, 40.0).trend is Trend.COLDER
     assert beam.listen(177.0, 41.0).trend is Trend.COLDER
+
+
+def test_a_signal_that_outruns_the_averaged_peak_is_the_peak_and_no_more():
+    beam = Beam()
+    beam.listen(170.0, 40.0, 5.0)
+    beam.listen(176.0, 40.0, 3.0)
+    shares = [beam.listen(180.0, 40.0, 0.1).share for _ in range(20)]
+    assert max(shares) == 1.0
+    assert min(shares) > 0.98
+
+
+def test_what_a_step_did_is_told_for_a_while_and_again_after_the_next():
+    beam = Beam()
+    beam.listen(177.0, 40.0)
+    assert beam.listen(178.0, 40.0, STEP_S).trend is Trend.HOTTER
+    assert beam.listen(178.0, 40.0, 1.0).trend is Trend.SAME
+    assert beam.listen(177.0, 40.0).trend is Trend.COLDER
 
 
 def test_one_wild_reading_is_no_peak():

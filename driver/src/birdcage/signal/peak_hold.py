@@ -35,6 +35,8 @@ CLEAR = 4.0
 """A peak must stand so many times the noise over the floor, before it is said which part of it is heard."""
 SURE = 2.5
 """A direction is hotter, or colder, where the difference is so many times its own standard deviation."""
+STEP_S = 30.0
+"""So long what a step did is told: a source that tells once a second has more than `MOST_COUNTED` readings by then."""
 
 
 class Trend(Enum):
@@ -71,9 +73,10 @@ class LevelNow:
     floor: float | None
     peak: HeardPeak | None
     share: float | None
-    """The part of the peak over the floor, in power: 1 is the peak. None while peak and floor cannot be told apart."""
+    """The part of the peak over the floor, in power: 1 is the peak, and what is stronger while its average is not
+    complete. None while peak and floor cannot be told apart."""
     trend: Trend
-    """Against the direction before the last step."""
+    """Against the direction before the last step; SAME once that is `STEP_S` ago."""
     fit: BeamFit | None
     """Where the middle of the source is, by all directions that were heard; None while they do not tell."""
 
@@ -192,7 +195,8 @@ class PeakHold:
         floor, noise, peak = self._floor, self._noise, self._peak
         if floor is None or peak is None or noise is None or peak.value - floor <= CLEAR * noise:
             return None
-        return (self._power(level) - self._power(floor)) / (self._power(peak.value) - self._power(floor))
+        part = (self._power(level) - self._power(floor)) / (self._power(peak.value) - self._power(floor))
+        return min(part, 1.0)
 
     def _power(self, value: float) -> float:
         power: float = 10.0 ** (value / 10.0) if self._scale is Scale.LOG else value
@@ -200,7 +204,7 @@ class PeakHold:
 
     def _trend(self, here: _Spell) -> Trend:
         before, noise = self._before, self._noise
-        if before is None or noise is None:
+        if before is None or noise is None or self._recent[-1][0] - here.at > STEP_S:
             return Trend.SAME
         differs = fmean(here.values) - fmean(before.values)
         sigma = noise * math.sqrt(1.0 / len(here.values) + 1.0 / len(before.values))
