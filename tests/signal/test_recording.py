@@ -11,6 +11,7 @@ import sys
 from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from types import SimpleNamespace
 
 import pytest
 from birdcage.base.errors import StoreError
@@ -21,6 +22,7 @@ from birdcage.signal.recording import RecordedReading, SignalRecorder, row_of
 from birdcage.signal.recordings import csv_lines, list_recordings, read_recording
 from birdcage.signal.source import SignalReading
 from birdcage.signal.tuner import TUNER_FACTS
+from birdcage.station.pursuit_state import Phase
 
 from tests.station.conftest import Bench
 
@@ -68,6 +70,20 @@ def test_a_reading_is_kept_with_what_the_receiver_last_said():
     counted = row_of(replace(reading, n=10, scatter=0.65), TUNER_FACTS, state, now)
     assert (counted.n, counted.scatter) == (10, 0.65)
     assert (kept.az_deg, kept.el_deg) == (state.position.az_deg, state.position.el_deg)
+
+
+@pytest.mark.parametrize(
+    ("phase", "owner", "target"),
+    [(Phase.FOLLOWING, "", "NOAA 19"), (Phase.OVER, "", ""), (Phase.OVER, "you", "you"),
+     (Phase.WAITING, "monitor", "")],
+)  # fmt: skip
+def test_a_target_is_what_the_dish_follows_and_none_that_it_has_left(phase, owner, target):
+    bench = Bench().connect(6.0)
+    pursuit = SimpleNamespace(plan=SimpleNamespace(aim=SimpleNamespace(name="NOAA 19")), phase=phase)
+    state = replace(bench.state, pursuit=pursuit, signal_owners={"tuner": owner} if owner else {})
+    now = bench.clock.monotonic()
+    reading = SignalReading(444.0, "counts", now, bench.clock.utc(), "tuner", 0.2)
+    assert row_of(reading, TUNER_FACTS, state, now).target == target
 
 
 def test_as_csv_it_says_what_it_is_and_names_of_enemies_stay_in_their_cell(tmp_path):

@@ -15,6 +15,7 @@ from birdcage.base.store import open_database
 from birdcage.rotator.feature import LOCK, SNR
 from birdcage.signal.heard_from import heard_from
 from birdcage.signal.source import MONITOR, SignalFacts, SignalReading
+from birdcage.station.pursuit_state import Phase
 from birdcage.station.state import StationState
 
 if TYPE_CHECKING:
@@ -84,12 +85,13 @@ def row_of(reading: SignalReading, facts: SignalFacts, state: StationState, now:
     az_deg, el_deg = heard_from(reading.at, facts, state)
     told = {name: each.value for name, each in state.readings.items() if now - each.at <= FRESH_S}
     snr, lock, polarisation = told.get(SNR), told.get(LOCK), told.get(POLARISATION)
-    owner = state.signal_owners.get(facts.id, "")
+    owner, pursuit = state.signal_owners.get(facts.id, ""), state.pursuit
+    followed = pursuit.plan.aim.name if pursuit is not None and pursuit.phase is Phase.FOLLOWING else ""
     return RecordedReading(
         reading.utc, az_deg, el_deg, reading.value, reading.scatter, reading.n, reading.dwell_s or None,
         float(snr) if isinstance(snr, int | float) else None, bool(lock) if lock is not None else None,
         None if polarisation is None else str(polarisation),
-        state.pursuit.plan.aim.name if state.pursuit is not None else "" if owner == MONITOR else owner,
+        followed or ("" if owner == MONITOR else owner),
         state.activity.value,
     )  # fmt: skip
 
