@@ -157,6 +157,16 @@ def test_a_marker_is_drawn_numbered_and_listed_with_now_against_it(size):
     assert station.asked_for(Release) == []
 
 
+@pytest.mark.parametrize("size", SIZES, ids=str)
+def test_a_list_of_more_markers_than_rows_has_its_heading_and_says_so(size):
+    text, pane, _station = shown([443.0] * 6, *["enter"] * MOST, size=size)
+    listed = [int(told[1]) for told in re.finditer(r" (\d+) \d\d:\d\d:\d\dZ? +443 ", text)]
+    heading = next(line for line in text.splitlines() if re.search("level +now.* (way back|away) ", line))
+    assert listed == list(range(MOST, MOST - len(listed), -1))
+    assert 2 <= len(listed) <= pane._cells.height - 2
+    assert (" marker " if len(listed) == MOST else f" newest {len(listed)} ") in heading
+
+
 def test_decibels_are_called_so_and_a_marker_says_where_it_was_set():
     text, _pane, _station = shown([-40.0] * 6, "enter", facts=RECEIVER, then=[-41.5] * 6)
     assert "-1.5 dB" in text

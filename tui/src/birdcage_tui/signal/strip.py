@@ -78,14 +78,10 @@ class StripPane(SignalPane):
         if not columns:
             return
         wide, x = columns == LIST_WIDE, cells.width - columns
-        rows = cells.height - 1 - self._below(cells)
+        rows = cells.height - 2 - self._below(cells)
         newest = list(reversed(view.markers))
-        if rows > len(newest):
-            head = (
-                f"{'marker':<11}{'level':>5}  now{' by'}  way back"
-                if not wide
-                else (f"{'marker':<12}{'level':>5}    now    way back")
-            )
-            cells.put(x + 1, 1, cut(head, columns - 2), "dim")
-        for y, marker in enumerate(newest[:rows], 2 if rows > len(newest) else 1):
+        what = "marker" if len(newest) <= rows else f"newest {rows}"
+        head = f"{what:<12}{'level':>5}    now    way back" if wide else f"{what:<11}{'level':>5} now by away"
+        cells.put(x + 1, 1, cut(head, columns - 2), "dim")
+        for y, marker in enumerate(newest[:rows], 2):
             cells.put(x + 1, y, cut(marker_text(marker, view, wide=wide), columns - 2), "text")
