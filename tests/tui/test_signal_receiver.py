@@ -15,7 +15,7 @@ from birdcage.station.converter import FeedConverter
 from birdcage.station.events import ReadingRead
 from birdcage.station.requests import Read, Set, Watch
 from birdcage_tui.commands import BY_NAME
-from birdcage_tui.signal.polarisations import PolarisationPane
+from birdcage_tui.signal.polarisations import LATE_S, PolarisationPane
 from birdcage_tui.signal.receiver import ReceiverPane
 from test_demo import stage_of_the_pictures
 from textual.widgets import Static
@@ -202,6 +202,46 @@ def test_both_polarisations_are_read_only_after_a_yes_and_while_they_are_shown(s
     assert screen.contains_region(region)
     assert "not read yet" in text
     assert watched("b", "y", "v", size=size)[0][-1] == (False, False)
+
+
+def test_while_both_are_shown_they_take_turns_with_the_supply_alone_and_it_is_told():
+    async def press(app, pilot):
+        await pilot.press("b", "y")
+        supply = {"lnb_supply": Reading(13.1, "V", app.session.clock.monotonic(), app.session.clock.utc())}
+        app.station.state = replace(app.station.state, readings={**app.station.state.readings, **supply})
+        app.paint()
+        await pilot.pause()
+        both = app.station.asked_for(Watch)[-1].features, stand_in.text_of(app)
+        app.session.clock.advance(LATE_S + 1.0)
+        app.paint()
+        await pilot.pause()
+        assert "13.1 V" not in stand_in.text_of(app), "it may be another one by now"
+        await pilot.press("v")
+        await pilot.pause()
+        return both, app.station.asked_for(Watch)[-1].features, stand_in.text_of(app)
+
+    (features, text), after, later = stage.run(press, "idle", (120, 36), key="f3")
+    assert set(features) == BOTH | {"position", "lnb_supply"}
+    assert "LNB supply 13.1 V vertical" in text
+    assert "─ Receiver ─" not in text
+    assert {"snr", "frequency"} <= set(after)
+    assert "─ Receiver ─" in later
+
+
+def test_on_a_screen_for_the_pocket_view_neither_is_read_and_what_was_said_stays_true():
+    async def shrink(app, pilot):
+        await pilot.press("b", "y")
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        small = app.station.asked_for(Watch)[-1], app.view().note
+        await pilot.resize_terminal(120, 36)
+        await pilot.pause()
+        return small, app.station.asked_for(Watch)[-1]
+
+    (small, note), again = stage.run(shrink, "idle", (120, 36), key="f3")
+    assert (set(small.features) & BOTH, small.agreed) == (set(), False)
+    assert note == "Both polarisations are read while F3 shows them. v shows another view."
+    assert (set(again.features) >= BOTH, again.agreed) == (True, True)
 
 
 def test_other_views_never_come_to_it():

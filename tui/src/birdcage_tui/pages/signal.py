@@ -37,7 +37,7 @@ from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.polarisations import FEATURES as POLARISED
 from birdcage_tui.signal.polarisations import PolarisationPane, polarisations_question
-from birdcage_tui.signal.receiver import FEATURES, ReceiverPane
+from birdcage_tui.signal.receiver import FEATURES, SUPPLY, ReceiverPane
 from birdcage_tui.signal.strip import StripPane
 from birdcage_tui.signal.sweep import SweepPane
 from birdcage_tui.signal.to_peak import ToPeakPane
@@ -189,8 +189,9 @@ class SignalPage(Page):
         self.host.paint()
 
     def _give_room(self) -> None:
-        """Give up the receiver's own words for a picture on a small screen."""
-        self.query_one(ReceiverPane).display = self.size.height >= TALL or self._view is StripPane
+        """Give up the receiver's own words for a picture on a small screen, and while they are not read."""
+        tall = self.size.height >= TALL and self._view is not PolarisationPane
+        self.query_one(ReceiverPane).display = tall or self._view is StripPane
 
     def _switch_record(self) -> None:
         signals = self.host.signals
@@ -212,13 +213,16 @@ class SignalPage(Page):
 
     @property
     def watches(self) -> frozenset[str]:
-        """What the page reads anyway, and both polarisations while a person has them shown."""
-        return self.WATCHES | frozenset(POLARISED) if self.agreed else self.WATCHES
+        """What the page reads anyway; in place of the receiver's own words both polarisations, while they are shown.
+
+        What is not steady takes its turn, one every few seconds: with all of them either would come too seldom.
+        """
+        return frozenset({"position", STEADY, SUPPLY, *POLARISED}) if self.agreed else self.WATCHES
 
     def _hear_both(self, agreed: bool | None) -> None:
         if agreed:
             self._show_view(PolarisationPane)
-            self.host.say("Reading both polarisations. v shows another view, and ends it.")
+            self.host.say("Both polarisations are read while F3 shows them. v shows another view.")
 
     def _keep_levels(self, values: Values | None) -> None:
         if values is not None:

@@ -12,7 +12,7 @@ from birdcage_tui.drawing.cell_text import cut
 from birdcage_tui.drawing.strip_scale import strip_scale
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.view import View
-from birdcage_tui.signal.receiver import SUPPLY, value_text
+from birdcage_tui.signal.receiver import SUPPLY, supply_text
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.pane import Pane
 
@@ -30,7 +30,7 @@ def polarisations_question(view: View) -> QuestionScreen:
     """Return the question before they are read: what each reading does."""
     features = {} if view.state.dish is None else view.state.dish.features
     hazard = features[EVEN_LEVEL].read_hazard if EVEN_LEVEL in features else ""
-    now = value_text(view.state.readings.get(SUPPLY)) or "not read yet"
+    now = supply_text(view.state.readings.get(SUPPLY)) or "not read yet"
     words = f"{hazard} They are read about every 5 s, until you show another view.\n\nSupply now: {now}."
     return QuestionScreen("Both polarisations", words, "read both")
 
@@ -43,10 +43,14 @@ class PolarisationPane(Pane):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self.border_title = "Both polarisations, each reading switches the LNB supply"
-        self.border_subtitle = f"last {SPAN_S / 60.0:.0f} min"
 
     def draw(self, cells: Cells, view: View) -> None:
         """Draw both."""
+        reading = view.state.readings.get(SUPPLY)
+        supply = supply_text(reading) if reading is not None and view.now - reading.at <= LATE_S else ""
+        told = "   ".join(filter(None, [supply and f"LNB supply {supply}", f"last {SPAN_S / 60.0:.0f} min"]))
+        if self.border_subtitle != told:  # setting it repaints the pane, equal or not
+            self.border_subtitle = told
         dish = view.state.dish
         each = max(cells.height // len(FEATURES), 1)
         for index, name in enumerate(FEATURES):

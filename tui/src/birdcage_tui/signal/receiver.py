@@ -106,8 +106,7 @@ def _items(view: View) -> dict[str, Item]:
     differs = bool(supply and wanted) and supply != wanted
     needs = POLARISATIONS.get(wanted, wanted) + (" ▲" if differs else "")
     add("wants", "wants", CHANNEL_POLARISATION, needs, "warn" if differs else "text")
-    volts = " ".join(part for part in (told(SUPPLY), POLARISATIONS.get(supply, "")) if part)
-    add("lnb", "LNB", SUPPLY, volts, "warn" if differs else "text")
+    add("lnb", "LNB", SUPPLY, supply_text(readings.get(SUPPLY)), "warn" if differs else "text")
     add("chip", "chip", "tuner_chip", told("tuner_chip"))
     return items
 
@@ -181,6 +180,12 @@ def supply_polarisation(supply: Reading | None) -> str:
         if low <= supply.value <= high:
             return polarisation
     return ""
+
+
+def supply_text(supply: Reading | None) -> str:
+    """Return the supply of the LNB, and the polarisation that it means; empty for none."""
+    meant = POLARISATIONS.get(supply_polarisation(supply), "")
+    return " ".join(part for part in (value_text(supply), meant) if part)
 
 
 def rf_text(view: View) -> str:
