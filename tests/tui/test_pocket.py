@@ -12,6 +12,7 @@ from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Release
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.panes.signal import SignalPane
 from birdcage_tui.panes.sky import SkyPane
+from birdcage_tui.pocket import reading
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
 from birdcage_tui.pocket.pocket_layout import arrange
 from birdcage_tui.pocket.reading import PocketReading
@@ -100,6 +101,15 @@ def test_what_is_wrong_is_told_to_the_last_word(size):
     wrong = ("held", "fault", "lost", "silent", "not-homed", "refused")
     for name, (text, words) in stage.run_each(told, wrong, size).items():
         assert words in text, name
+
+
+def test_a_key_stands_beside_what_it_does(monkeypatch):
+    words = "HELD by you. Enter release: nothing moves then   U resume LEO 1"
+    monkeypatch.setattr(reading, "bad_day", lambda _view: ("warn", words))
+    for columns in range(16, 80):
+        _ink, rows = reading.wrong_rows(None, columns)
+        assert " ".join(rows).split() == words.split()
+        assert not any(row.split()[-1] in ("U", "Enter") for row in rows), rows
 
 
 def test_the_stop_bar_stops_on_the_press_and_space_anywhere():

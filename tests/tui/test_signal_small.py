@@ -147,6 +147,25 @@ def test_a_sweep_that_goes_on_has_its_whole_axis_and_round_levels():
     assert "   400 " in text
 
 
+def test_the_dialogs_of_a_phone_end_no_hint_and_no_warning_in_mid_sentence():
+    async def look(app, pilot):
+        await pilot.press("f", "down", "enter")
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        step_track = stand_in.text_of(app)
+        await pilot.resize_terminal(80, 24)
+        await pilot.press("escape")
+        await pilot.press("w", "tab", "tab", "tab", *"firmware")
+        await pilot.resize_terminal(40, 12)
+        await pilot.pause()
+        await pilot.pause()
+        return step_track, stand_in.text_of(app)
+
+    step_track, sweep = stage.run(look, key="f3")
+    assert "or empty" in step_track
+    assert "where it begins." in sweep
+
+
 def test_the_sweeps_beneath_are_named():
     async def look(app, pilot):
         found = []

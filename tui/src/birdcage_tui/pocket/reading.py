@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from textual.geometry import Region
 
 from birdcage_tui.drawing.canvas import Cells
@@ -18,6 +20,8 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.skew import has_skew, skew_row, skew_text
 
+KEY = re.compile(r"\b(Enter|U) ")
+"""A key keeps the word for what it does beside it."""
 LABEL = 3
 """Columns of `AZ` or `EL` before its digits."""
 LARGE_WIDTH = width_of("000.00°00.00°", large=True) + 2 * LABEL + 3
@@ -30,7 +34,7 @@ def wrong_rows(view: View, width: int) -> tuple[str, list[str]]:
     if found is None:
         return "text", []
     ink, words = found
-    rows = wrap(words.replace("Enter ", "Enter\N{NO-BREAK SPACE}"), max(width - 2, 8))
+    rows = wrap(KEY.sub("\\1\N{NO-BREAK SPACE}", words), max(width - 2, 8))
     return ink, [row.replace("\N{NO-BREAK SPACE}", " ") for row in rows]
 
 

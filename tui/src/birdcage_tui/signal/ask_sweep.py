@@ -17,8 +17,8 @@ SPAN_DEG, STEP_DEG = 20.0, 1.0
 DASH = "—"
 WORDS = "The dish goes along the axis, through where it points now, and listens at each step. Keep its swing clear."
 BY_FIRMWARE = (
-    "The dish sweeps by itself. STOP sends it a key then, and it may go on to its end all the same. Its span must be "
-    "free on both sides of where it begins."
+    "The dish sweeps by itself. STOP sends it a key then, but it may go on to its end. Keep its span free on both "
+    "sides of where it begins."
 )
 
 

@@ -53,11 +53,11 @@ def begin_find(view: View, ask: Ask) -> None:
 def step_track_question() -> FieldsScreen:
     """Return what is asked before: under which name, how often, how long."""
     rows = (
-        FieldRow("name", "", "its way is remembered under it; empty: not at all"),
+        FieldRow("name", "", "or empty. Its way is remembered by it."),
         FieldRow("peak every, minutes", "15", "at least so often"),
         FieldRow("for, hours", "24", "then it ends, and the dish stays"),
     )
-    words = "The dish finds the peak here, and stays on it by small ones. " + KEEP_CLEAR
+    words = "The dish finds the peak here, and stays on it with small searches. " + KEEP_CLEAR
     return FieldsScreen("Step-track", words, rows, wrong_step_track, enter="Enter begins")
 
 
