@@ -153,16 +153,23 @@ def test_the_dialogs_of_a_phone_end_no_hint_and_no_warning_in_mid_sentence():
         await pilot.resize_terminal(40, 12)
         await pilot.pause()
         step_track = stand_in.text_of(app)
+        await pilot.resize_terminal(60, 20)
+        await pilot.pause()
+        wider = stand_in.text_of(app)
         await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        whole = stand_in.text_of(app)
         await pilot.press("escape")
         await pilot.press("w", "tab", "tab", "tab", *"firmware")
         await pilot.resize_terminal(40, 12)
         await pilot.pause()
         await pilot.pause()
-        return step_track, stand_in.text_of(app)
+        return step_track, wider, whole, stand_in.text_of(app)
 
-    step_track, sweep = stage.run(look, key="f3")
-    assert "or empty" in step_track
+    step_track, wider, whole, sweep = stage.run(look, key="f3")
+    assert " or empty …" in step_track
+    assert " or empty. Its way is remembered … " in wider
+    assert " or empty. Its way is remembered by it. " in whole
     assert "where it begins." in sweep
 
 

@@ -10,6 +10,7 @@ from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.widgets import Input, Label, Static
 
+from birdcage_tui.drawing.cell_text import shorten
 from birdcage_tui.widgets.cancel import CancelButton
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.status import TopRow
@@ -32,7 +33,19 @@ class FieldRow:
     """Whether it can only be looked at: `value` says why."""
 
 
-class PasteInput(Input):
+class HintedInput(Input):
+    """A field that says, while it is empty, as much of what it is for as there is room for in whole words."""
+
+    def __init__(self, field: FieldRow, *, replaces: bool) -> None:
+        super().__init__(field.value, placeholder=field.hint, select_on_focus=replaces, disabled=field.is_off)
+        self._whole = field.hint
+
+    def on_resize(self) -> None:
+        """Cut the hint anew."""
+        self.placeholder = shorten(self._whole, self.content_size.width)
+
+
+class PasteInput(HintedInput):
     """A field that takes a pasted text whole."""
 
     def _on_paste(self, event: events.Paste) -> None:
@@ -86,12 +99,7 @@ class FieldsScreen(Dialog[Values | None]):
                     yield label
                     # What stands in a later field is replaced by typing there.
                     replaces = field is not self._fields[0]
-                    if field.pastes:
-                        yield PasteInput(field.value, placeholder=field.hint, select_on_focus=replaces)
-                    else:
-                        yield Input(
-                            field.value, placeholder=field.hint, select_on_focus=replaces, disabled=field.is_off
-                        )  # fmt: skip
+                    yield (PasteInput if field.pastes else HintedInput)(field, replaces=replaces)
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
             self.set_class(bool(self._wrong), "-told")
             yield CancelButton()
