@@ -28,13 +28,15 @@ def hamlib_program(name):
         until = time.monotonic() + START_S
         while True:
             try:
-                socket.create_connection(("127.0.0.1", port), 1.0).close()
+                first = socket.create_connection(("127.0.0.1", port), 1.0)
                 break
             except OSError:
                 assert daemon.poll() is None, f"{name} ended by itself"
                 assert time.monotonic() < until, f"{name} does not listen"
                 time.sleep(0.02)
-        yield port
+        # It stays: as its last client leaves, rigctld closes the radio, under one that comes at that moment, too.
+        with first:
+            yield port
     finally:
         daemon.terminate()
         daemon.wait(END_S)

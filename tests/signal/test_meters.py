@@ -93,8 +93,9 @@ def test_of_noise_a_reading_says_how_much_one_of_its_blocks_scatters():
     with served(receiver), opened(RtlTcpMeter(receiver.address, CHANNEL, CLOCK)) as meter:
         told = level(meter)
     assert told.n == 100
-    # 200 steps of 1 kHz, two thirds of them independent behind a Hann window: 1 / sqrt(133) of the power.
-    assert told.scatter == pytest.approx(10.0 * math.log10(1.0 + 1.0 / math.sqrt(200.0 / 1.5)), abs=0.1)
+    # 200 steps of 1 kHz. Behind a Hann window neighbours share 4/9 of their variance, and the next ones 1/36.
+    part = math.sqrt((1.0 + 2.0 * (4.0 / 9.0 + 1.0 / 36.0)) / 200.0)
+    assert told.scatter == pytest.approx(10.0 / math.log(10.0) * part, abs=0.1)
 
 
 def test_one_block_alone_has_no_scatter():

@@ -54,7 +54,7 @@ STEPS = "SetupBody/can_focus"
 FORM = f"{STEPS} AnswerForm/ChoiceButton AnswerForm/Input"
 BUTTONS = f"{STEPS} AnswerForm/ChoiceButton"
 LOG, TYPED, FOUND = (f"ConsoleOverlay/{kind}" for kind in ("LogView", "ConsoleInput", "FindInput"))
-FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/Input FieldsScreen/CancelButton"}
+FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/HintedInput FieldsScreen/CancelButton"}
 FORMS = {"feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""

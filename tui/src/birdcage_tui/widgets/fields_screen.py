@@ -99,7 +99,10 @@ class FieldsScreen(Dialog[Values | None]):
                     yield label
                     # What stands in a later field is replaced by typing there.
                     replaces = field is not self._fields[0]
-                    yield (PasteInput if field.pastes else HintedInput)(field, replaces=replaces)
+                    if field.pastes:
+                        yield PasteInput(field, replaces=replaces)
+                    else:
+                        yield HintedInput(field, replaces=replaces)
             yield Static(f"▲ {self._wrong}" if self._wrong else "", id="wrong", markup=False)
             self.set_class(bool(self._wrong), "-told")
             yield CancelButton()
