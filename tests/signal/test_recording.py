@@ -18,7 +18,7 @@ from birdcage.base.errors import StoreError
 from birdcage.base.store import open_database
 from birdcage.rotator.feature import Reading
 from birdcage.signal import recording as module
-from birdcage.signal.recording import RecordedReading, SignalRecorder, row_of
+from birdcage.signal.recording import MIGRATIONS, RecordedReading, SignalRecorder, row_of
 from birdcage.signal.recordings import csv_lines, list_recordings, read_recording
 from birdcage.signal.source import SignalReading
 from birdcage.signal.tuner import TUNER_FACTS
@@ -140,7 +140,7 @@ def test_a_file_of_something_else_is_said_and_left_as_it_is(tmp_path):
     [
         ("CREATE TABLE theirs (a)", "is a database of another program"),
         ("PRAGMA user_version = 99", "was written by a newer birdcage (version 99"),
-        ("CREATE TABLE theirs (a); PRAGMA user_version = 2", "no such table"),
+        (f"CREATE TABLE theirs (a); PRAGMA user_version = {len(MIGRATIONS)}", "no such table"),
     ],
 )  # fmt: skip
 def test_a_database_of_others_is_said_and_left_as_it_is(tmp_path, make, said):

@@ -34,6 +34,24 @@ COUNTED = (
     "CREATE INDEX reading_by_recording ON reading (recording)",
 )
 """A reading is the mean of `n` values of its source; before, it was put down as one, without being known."""
+MAPS = (
+    """CREATE TABLE map (
+        id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, plan TEXT NOT NULL, begun TEXT NOT NULL, ended TEXT,
+        source TEXT NOT NULL, unit TEXT NOT NULL, decibels INTEGER NOT NULL, demo INTEGER NOT NULL, about TEXT NOT NULL
+    )""",
+    """CREATE TABLE map_settings (
+        id INTEGER PRIMARY KEY, map INTEGER NOT NULL REFERENCES map (id) ON DELETE CASCADE, told TEXT NOT NULL,
+        UNIQUE (map, told)
+    )""",
+    """CREATE TABLE map_sample (
+        map INTEGER NOT NULL REFERENCES map (id) ON DELETE CASCADE, cell INTEGER, cross_number INTEGER,
+        utc TEXT NOT NULL, az_deg REAL NOT NULL, el_deg REAL NOT NULL, aim_az_deg REAL, aim_el_deg REAL,
+        value REAL NOT NULL, scatter REAL, n INTEGER NOT NULL, integration_s REAL, snr_db REAL, lock INTEGER,
+        polarisation TEXT, settings INTEGER NOT NULL REFERENCES map_settings (id), target TEXT NOT NULL,
+        state TEXT NOT NULL, UNIQUE (map, cell)
+    )""",
+)
+"""Maps of the sky (`birdcage.skymap`): a cell that was heard has one row. Points of a reference cross have no cell."""
 MIGRATIONS = (
     (
         """CREATE TABLE recording (
@@ -48,6 +66,7 @@ MIGRATIONS = (
         "CREATE INDEX reading_by_recording ON reading (recording)",
     ),
     COUNTED,
+    MAPS,
 )
 """Of the whole file. An entry that was released is never changed."""
 MOST_READINGS = 2_000_000
