@@ -1,0 +1,171 @@
+"""What a person asks for when a map is to be made: how it is begun, taken up again, and how long it takes."""
+
+from __future__ import annotations
+
+import math
+import uuid
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from birdcage.kinematics import plan_slew
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
+from birdcage.skymap.plan import MapFrame, MapPlan
+
+if TYPE_CHECKING:
+    from birdcage.rotator.axis import Axis
+    from birdcage.skymap.map_file import MapHead
+    from birdcage.station.state import StationState
+    from birdcage.station.task_state import TaskValue
+
+KIND = "map"
+STEPS_A_BEAM = 3.0
+"""The usual step is so small a part of the beam: a source between two directions still stands out of both."""
+HOURLY_S = 3600.0
+CROSS_POINTS = 5
+"""Directions along each axis of a reference cross."""
+LINES, LINE_S = 9, 0.06
+"""Lines on the wire in one direction, and how long one takes: 20 to 100 ms, assumed."""
+RADIO_LINES = 2
+"""Where the level comes from a source of its own, nothing but the move and one look."""
+TUNER_READ_S = 0.15
+IN_TURN_S = 0.6
+"""What it takes to see a dish at rest between two legs, where its axes turn one after the other."""
+
+
+@dataclass(frozen=True, slots=True)
+class MapRequest:
+    """A map to be made."""
+
+    plan: MapPlan
+    key: str = ""
+    """Names it across programs; empty for a new one."""
+    target: str = ""
+    """What it is around, for people; a moving one has a `path` too."""
+    path: tuple[tuple[float, ...], ...] = ()
+    """Where the target will be: rows as for `SourcePath`. Empty on a map in azimuth and elevation."""
+    source: str = ""
+    """The id of the signal source; empty for the feed's."""
+    reads: int = 0
+    """Readings in one direction; 0 for as many as suit the source."""
+    details: bool = False
+    """Whether the tuner's SNR and lock are read in each direction, too."""
+    start_s: float = 0.0
+    """When to begin, POSIX seconds; 0 for now."""
+    until_s: float = 0.0
+    """When to end at the latest; 0 for no such time."""
+    reference: tuple[float, float] | None = None
+    """The true direction of a strong source that is heard again and again, to see gain and pointing drift."""
+    reference_every_s: float = HOURLY_S
+    quiet: bool = False
+    """Whether the dish turns slowly, which is quieter."""
+
+    def values(self) -> dict[str, TaskValue]:
+        """Return what `BeginTask("map", …)` is told."""
+        az_deg, el_deg = self.reference or (0.0, 0.0)
+        return {
+            **self.plan.values(), "key": self.key or uuid.uuid4().hex, "target": self.target, "path": self.path,
+            "source": self.source, "reads": self.reads, "details": self.details, "start_s": self.start_s,
+            "until_s": self.until_s, "reference_az_deg": az_deg, "reference_el_deg": el_deg,
+            "reference_every_s": self.reference_every_s if self.reference is not None else 0.0, "quiet": self.quiet,
+        }  # fmt: skip
+
+
+def again(head: MapHead, path: tuple[tuple[float, ...], ...] = ()) -> MapRequest:
+    """Return the request that goes on with an unfinished map, from now on; `path`: where its target will be."""
+    about = head.about
+    every_s, az_deg, el_deg = (_number(about, f"reference_{name}") for name in ("every_s", "az_deg", "el_deg"))
+    return MapRequest(
+        head.plan, head.key, str(about.get("target") or ""), path, head.source, int(_number(about, "reads")),
+        bool(about.get("details")), reference=(az_deg, el_deg) if every_s else None,
+        reference_every_s=every_s or HOURLY_S, quiet=bool(about.get("quiet")),
+    )  # fmt: skip
+
+
+def _number(about: object, name: str) -> float:
+    value = about.get(name) if isinstance(about, dict) else None
+    return float(value) if isinstance(value, int | float) else 0.0
+
+
+def usual_step_deg(state: StationState) -> float:
+    """Return a third of the beam, rounded down to a tenth of a degree."""
+    width_deg = ASSUMED_WIDTH_DEG if state.beam is None else state.beam.narrow_deg
+    return max(math.floor(width_deg / STEPS_A_BEAM * 10.0) / 10.0, 0.1)
+
+
+def within_reach(plan: MapPlan, state: StationState) -> MapPlan:
+    """Return the part of a map in azimuth and elevation that lies between the lowest and highest elevation allowed.
+
+    ValueError, with the limits, where nothing of it does. The cells keep their places: what falls off are whole rows.
+    """
+    low, high = state.el_min_deg, state.el_max_deg
+    if plan.frame is not MapFrame.AZEL or low is None or high is None:
+        return plan
+    rows = [row for row in range(plan.rows) if low <= plan.at(row * plan.columns)[1] <= high]
+    if not rows:
+        raise ValueError(
+            f"Elevation {plan.y_low_deg:g} to {plan.y_high_deg:g}° is out of reach. "
+            f"This dish reaches {low:g} to {high:g}°."
+        )
+    return replace(
+        plan, y_low_deg=plan.at(rows[0] * plan.columns)[1], y_high_deg=plan.at(rows[-1] * plan.columns)[1]
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class MapEstimate:
+    """How much a map is, before it begins."""
+
+    directions: int
+    seconds: float
+
+    @property
+    def words(self) -> str:
+        """Say it in a few words."""
+        minutes = round(self.seconds / 60.0)
+        time = f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60:02} min"
+        return f"{self.directions} directions, about {time if minutes else 'a minute'}"
+
+
+def estimate(
+    request: MapRequest, state: StationState, *, dwell_s: float | None, heard: Collection[int] = ()
+) -> MapEstimate:
+    """Return how many directions are left, and how long they take by the dish's own speeds.
+
+    `dwell_s`: how long the signal is listened to in one direction; None: by the dish's own tuner.
+    """
+    plan, facts = request.plan, state.dish
+    cells = [cell for cell in plan.sequence if cell not in heard]
+    lines = LINES if dwell_s is None else RADIO_LINES
+    listens_s = (TUNER_READ_S if dwell_s is None else dwell_s) * max(request.reads, 1)
+    seconds = len(cells) * (listens_s + lines * LINE_S)
+    if facts is not None:
+        before = None
+        for cell in cells:
+            at = plan.at(cell)
+            if before is not None:
+                ways = [
+                    _travel_s(axis, round(abs(to - one), 6))
+                    for axis, one, to in zip((facts.azimuth, facts.elevation), before, at, strict=True)
+                ]
+                seconds += max(ways) if facts.axes_together else sum(ways) + IN_TURN_S
+            before = at
+    if request.reference is not None:
+        crosses = 1.0 + seconds // max(request.reference_every_s, 60.0)
+        seconds += crosses * 2.0 * CROSS_POINTS * (listens_s + lines * LINE_S + 0.5)
+    return MapEstimate(len(cells), seconds)
+
+
+@lru_cache(maxsize=512)
+def _travel_s(axis: Axis, way_deg: float) -> float:
+    """Return how long an axis turns, from rest to rest."""
+    if axis.times is not None:
+        return axis.times.seconds(way_deg)
+    return plan_slew(0.0, way_deg, axis.speed_deg_s, axis.acceleration_deg_s2).duration_s
+
+
+def checked_times(start_s: float, until_s: float, now_s: float) -> None:
+    """Raise ValueError where a map would end before it begins. POSIX seconds, 0 where none is set."""
+    if until_s and until_s <= max(start_s, now_s):
+        raise ValueError("It would end before it begins. Give an end after the start.")
