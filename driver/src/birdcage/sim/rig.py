@@ -1,6 +1,7 @@
 """A simulated receiver beside a simulated dish, speaking Hamlib's network protocol as `rigctld` and SDR++ do.
 
 It hears beacons (`birdcage.sim.beacons`) through the dish's own beam, where that truly looks, over a floor with noise.
+Sun and trees in the beam raise that floor, at whatever frequency.
 """
 
 from __future__ import annotations
@@ -17,7 +18,8 @@ from birdcage.sim.beacons import Beacon, read_beacons
 from birdcage.sim.beam import power_toward
 from birdcage.sim.chance import seeded
 from birdcage.sim.device import Device
-from birdcage.sim.settings import Options
+from birdcage.sim.settings import Options, SimSettings
+from birdcage.sim.sky import SimSky
 
 OK, INVALID, DEAF, UNKNOWN = "RPRT 0\n", "RPRT -1\n", "RPRT -6\n", "RPRT -11\n"
 """Codes of Hamlib (`rig_errcode_e` in its rig.h): taken; a value that it does not take; no radio; it cannot do that."""
@@ -56,6 +58,8 @@ class SimReceiver:
         self._lock = threading.Lock()
         self._file: tuple[int, int] | None = None
         self._beacons: tuple[Beacon, ...] = ()
+        self._sky: tuple[SimSettings, SimSky] | None = None
+        """Of the dish that it was last asked beside."""
         self.frequency_hz = 145e6
         """What it is tuned to."""
         self.recording = False
@@ -67,10 +71,13 @@ class SimReceiver:
         power = 10.0 ** (settings.floor_db / 10.0)
         if dish is None:
             return settings.floor_db
-        now_s, beam = self._clock.utc().timestamp(), dish.truth()
+        now, beam = self._clock.utc(), dish.truth()
+        now_s = now.timestamp()
+        sky = self._sky_of(dish)
+        power *= 1.0 + sky.warmth(now, beam.beam_az_deg, beam.beam_el_deg)
         for beacon in self._known():
             heard = beacon.at(now_s)
-            if heard is None or heard.el_deg <= 0.0:
+            if heard is None or heard.el_deg <= 0.0 or sky.trees.hides(heard.az_deg, heard.el_deg):
                 continue
             off_hz = heard.frequency_hz - settings.lo_hz - self.frequency_hz
             if abs(off_hz) <= settings.passband_hz / 2.0:
@@ -79,6 +86,11 @@ class SimReceiver:
                 )
                 power += share * 10.0 ** (heard.level_db / 10.0)
         return 10.0 * math.log10(power)
+
+    def _sky_of(self, dish: Device) -> SimSky:
+        if self._sky is None or self._sky[0] is not dish.settings:
+            self._sky = dish.settings, SimSky(dish.settings)
+        return self._sky[1]
 
     def _known(self) -> tuple[Beacon, ...]:
         if not self._settings.beacons:

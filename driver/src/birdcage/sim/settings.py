@@ -64,6 +64,8 @@ class SimSettings(Options):
     """How far it leans to the east."""
     collimation: float = 0.0
     """How far the beam looks to the left of where the dish points."""
+    trees: str = ""
+    """A line of trees, true azimuth and elevation from left to right: `150:5,160:22,190:22`; empty for none."""
     az: float = 0.0
     """Cable angle at the start (the home position is 0; assumed)."""
     el: float = 45.0

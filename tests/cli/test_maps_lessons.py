@@ -1,0 +1,94 @@
+"""`birdcage maps`: the list, and what a map teaches."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.config import load
+from birdcage.base.config.edit import edit
+from birdcage.base.paths import Paths
+from birdcage.skymap.map_file import MapWriter, NewMap
+
+from tests.skymap.test_horizon_lesson import KNOWN, TREES, counts
+
+
+def keep(sky_map, key="k1", **about):
+    """Write a map into the file of this machine, as a station does."""
+    new = NewMap(
+        key, sky_map.plan, sky_map.source, sky_map.unit, decibels=sky_map.decibels, demo=True,
+        about={**sky_map.about, **about},
+    )  # fmt: skip
+    writer = MapWriter(Paths.default().signal_recordings, new)
+    for index, each in enumerate(sky_map.samples):
+        writer.add(each, {})
+        if index % 200 == 0:
+            writer.flush(30.0)
+    writer.close(30.0)
+    assert writer.problem == ""
+    return writer.number
+
+
+@pytest.fixture
+def trees():
+    return keep(counts(TREES), latitude_deg=39.1, longitude_deg=-95.7)
+
+
+def mask():
+    return [(point.az_deg, point.el_deg) for point in load(Paths.default().config_file).place.horizon]
+
+
+def test_maps_are_listed(run, trees, as_json):
+    said = run("maps")
+    assert "6171 of 6171" in said.stdout
+    assert "DEMO" in said.stdout
+    (told,) = as_json(run("maps", "--json"))
+    assert (told["number"], told["x_low_deg"], told["heard"]) == (trees, 120.0, 6171)
+
+
+def test_without_a_map_the_list_says_so(run):
+    assert "No map was made yet." in run("maps").stderr
+
+
+def test_a_horizon_is_proposed_and_nothing_kept(run, trees, as_json):
+    told = as_json(run("maps", "horizon", trees, "--json"))
+    heights = {point["az_deg"]: point["el_deg"] for point in told["points"] if not point["clear"]}
+    assert max(heights.values()) == pytest.approx(30.0, abs=1.0)
+    assert told["demo"] is True
+    assert "clear down to here" in run("maps", "horizon", trees).stdout
+    assert mask() == []
+
+
+def test_accepted_points_go_into_the_horizon_of_the_place(run, trees, as_json):
+    edit(Paths.default().config_file, {"place.horizon": [[20.0, 9.0], [170.0, 3.0]]})
+    points = as_json(run("maps", "horizon", trees, "--json"))["points"]
+    inside = [point for point in points if 155.0 < point["az_deg"] < 195.0]
+    said = run("maps", "horizon", trees, "--accept", ",".join(str(point["az_deg"]) for point in inside))
+    assert said.exit_code == 0, said.stderr
+    assert "Kept for this place" in said.stderr
+    kept = mask()
+    assert (20.0, 9.0) in kept
+    assert not any(el == 3.0 for _az, el in kept)
+    assert all((point["az_deg"], point["el_deg"]) in kept for point in inside)
+    assert len(kept) == len(inside) + 3  # the old one, and one on each side
+    assert run("maps", "horizon", trees, "--accept", "all").exit_code == 0
+    assert len(mask()) >= len(points)
+
+
+def test_a_wrong_choice_is_refused_and_keeps_nothing(run, trees):
+    for typed in ("nothing", "12", "all,160"):
+        said = run("maps", "horizon", trees, "--accept", typed)
+        assert said.exit_code == 2, said.stdout
+    assert mask() == []
+    assert "There is no map 7." in run("maps", "horizon", 7).stderr
+
+
+def test_a_map_without_trees_says_so(run):
+    number = keep(counts(""), latitude_deg=39.1, longitude_deg=-95.7)
+    said = run("maps", "horizon", number)
+    assert said.exit_code == 1
+    assert "No trees stand out" in said.stderr
+
+
+def test_the_beam_of_the_settings_counts_for_a_map_that_tells_none(run):
+    number = keep(counts(TREES), beam_az_deg=None)
+    assert "No place is known" in run("maps", "horizon", number).stderr
+    assert KNOWN["beam_az_deg"] == 6.4

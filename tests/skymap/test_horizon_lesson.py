@@ -1,0 +1,156 @@
+"""What a map tells of trees and roofs, and what it must not take for them."""
+
+import math
+import random
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import pytest
+from birdcage.base.beam import Beam
+from birdcage.signal.slots_heard import seen_from
+from birdcage.sim.settings import SimSettings
+from birdcage.sim.sky import SimSky
+from birdcage.sim.trees import TreeLine
+from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.observer import Observer
+from birdcage.skymap.horizon_accepted import chosen_by, with_accepted
+from birdcage.skymap.horizon_lesson import HorizonEdge, teach_horizon
+from birdcage.skymap.map_levels import LessonRefused
+from birdcage.skymap.plan import MapFrame, MapPlan
+
+from tests.skymap.made import made_map
+
+NIGHT = datetime(2026, 3, 20, 6, tzinfo=UTC)
+TREES = "150:18,160:26,175:30,190:24,205:32,206:10"
+PLAN = MapPlan(120.0, 240.0, 10.0, 60.0, 1.0)
+KNOWN = {"beam_az_deg": 6.4, "beam_el_deg": 6.3}
+PLACE = Observer(39.1, -95.7)
+ARC = tuple((seen.az_deg, seen.el_deg) for seen in seen_from(PLACE, "radio"))
+
+
+def counts(trees, plan=PLAN, **other):
+    sky, dice = SimSky(SimSettings(trees=trees)), random.Random(1)
+    return made_map(plan, lambda az, el: sky.level(NIGHT, az, el) + dice.gauss(0.0, 0.5), about=KNOWN, **other)
+
+
+def decibels(trees, plan=PLAN):
+    sky, dice = SimSky(SimSettings(trees=trees)), random.Random(1)
+    return made_map(
+        plan, lambda az, el: 10.0 * math.log10(1.0 + sky.warmth(NIGHT, az, el)) - 60.0 + dice.gauss(0.0, 0.1),
+        about=KNOWN, decibels=True, unit="dB",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(("heard", "within"), [(counts, 1.3), (decibels, 1.0)])
+def test_a_planted_tree_line_is_proposed_in_front_of_the_arc(heard, within):
+    line = TreeLine(TREES)
+    found = teach_horizon(heard(TREES), ARC)
+    inside = [edge for edge in found.edges if 153.0 <= edge.az_deg <= 202.0]
+    assert len(inside) == 50
+    assert [edge.az_deg for edge in inside if abs(edge.el_deg - line.at(edge.az_deg)) > within] == []
+    assert not any(edge.is_clear for edge in inside)
+    assert all(edge.is_clear for edge in found.edges if not 147.0 <= edge.az_deg <= 209.0)
+    assert 8 <= len(found.points) <= 20
+    proposed = HorizonMask((edge.az_deg, edge.el_deg) for edge in found.points)
+    assert max(abs(proposed.at(edge.az_deg) - edge.el_deg) for edge in inside) < 1.0
+
+
+def test_beyond_the_trees_the_sky_hides_no_satellite():
+    sky = SimSky(SimSettings(trees="205:50,225:50"))
+    open_sky = SimSky(SimSettings())
+    (az_deg, el_deg), counts_alone = open_sky.slots[8]
+    assert counts_alone == 145.0
+    assert open_sky.level(NIGHT, az_deg, el_deg) - sky.level(NIGHT, az_deg, el_deg) > 60.0
+    assert sky.level(NIGHT, 120.0, 40.0) == open_sky.level(NIGHT, 120.0, 40.0)
+
+
+def test_satellites_over_a_clear_horizon_are_no_trees():
+    low = MapPlan(120.0, 240.0, 33.0, 60.0, 1.0)
+    with pytest.raises(LessonRefused, match="No trees stand out"):
+        teach_horizon(counts("", low), ARC)
+
+
+@pytest.mark.parametrize("lowest", [5.0, 10.0, 18.0])
+def test_air_that_grows_thicker_toward_the_horizon_is_no_tree(lowest):
+    plan, dice = MapPlan(0.0, 40.0, lowest, 60.0, 1.0), random.Random(2)
+    air = made_map(plan, lambda _az, el: 400.0 + 6.0 / math.sin(math.radians(el)) + dice.gauss(0.0, 0.5), about=KNOWN)
+    with pytest.raises(LessonRefused, match="No trees stand out"):
+        teach_horizon(air)
+
+
+def test_a_line_of_trees_in_thick_air_lies_where_it_lies():
+    plan, dice = MapPlan(0.0, 20.0, 10.0, 60.0, 1.0), random.Random(3)
+
+    def level(_az, el):
+        trees = 0.5 - 0.5 * math.erf((el - 22.0) / 2.675 / math.sqrt(2.0))
+        air = 1.0 - math.exp(-0.03 / math.sin(math.radians(el)))
+        return 10.0 * math.log10(100.0 + 280.0 * (trees + (1.0 - trees) * air)) + dice.gauss(0.0, 0.05)
+
+    found = teach_horizon(made_map(plan, level, about=KNOWN, decibels=True))
+    assert all(edge.el_deg == pytest.approx(22.0, abs=0.4) for edge in found.edges)
+
+
+def test_what_was_not_heard_says_nothing():
+    whole = counts(TREES)
+    cells = [sample for sample in whole.samples if not 160.0 <= sample.az_deg <= 165.0 or sample.el_deg > 40.0]
+    low = [sample for sample in cells if not (sample.az_deg == 180.0 and 15.0 < sample.el_deg < 35.0)]
+    found = teach_horizon(whole.with_samples(tuple(low)), ARC)
+    told = {edge.az_deg: edge for edge in found.edges}
+    # Of 160 to 165 only that no tree reaches to 41; of 180 nothing: the line lies in its gap.
+    assert all(told[float(az)].is_clear and told[float(az)].el_deg == 41.0 for az in range(160, 166))
+    assert 180.0 not in told
+    assert found.unknown == teach_horizon(whole, ARC).unknown + 1
+
+
+def test_maps_that_tell_no_trees_say_why():
+    around = replace(counts(TREES), plan=replace(PLAN, frame=MapFrame.TARGET), about={"target": "Sun"})
+    with pytest.raises(LessonRefused, match="around Sun"):
+        teach_horizon(around)
+    with pytest.raises(LessonRefused, match="beam is not known"):
+        teach_horizon(replace(counts(TREES), about={}))
+    with pytest.raises(LessonRefused, match="Nothing was heard"):
+        teach_horizon(counts(TREES).with_samples(()))
+    assert teach_horizon(replace(counts(TREES), about={}), ARC, Beam(6.4, 6.3)).points
+
+
+LINE = tuple(HorizonEdge(az, el, 0.3, is_clear=False) for az, el in ((150.0, 18.0), (160.0, 26.0), (170.0, 20.0)))
+
+
+def test_a_flat_horizon_stays_flat_beside_what_was_accepted():
+    mask = with_accepted(HorizonMask(), LINE, [0, 1, 2])
+    assert [mask.at(az) for az in (140.0, 149.0, 150.0, 155.0, 160.0, 165.0, 171.0, 180.0, 0.0)] == [
+        0.0, 0.0, 18.0, 22.0, 26.0, 23.0, 0.0, 0.0, 0.0,
+    ]  # fmt: skip
+
+
+def test_a_point_that_was_not_accepted_leaves_the_mask_there_as_it_was():
+    before = HorizonMask([(0.0, 5.0), (155.0, 7.0), (158.0, 9.0), (250.0, 12.0)])
+    mask = with_accepted(before, LINE, [0, 2])
+    assert (mask.at(150.0), mask.at(170.0)) == (18.0, 20.0)
+    assert all(mask.at(az) == pytest.approx(before.at(az)) for az in (0.0, 100.0, 149.0, 151.0, 155.0, 160.0, 168.0))
+    assert with_accepted(before, LINE, [0, 1]).at(158.0) == pytest.approx(24.4)
+
+
+def test_a_clear_azimuth_lowers_the_mask_and_never_raises_it():
+    clear = (HorizonEdge(100.0, 18.0, 0.3, is_clear=True), HorizonEdge(110.0, 18.0, 0.3, is_clear=True))
+    assert with_accepted(HorizonMask(), clear, [0, 1]).at(105.0) == 0.0
+    high = HorizonMask([(90.0, 30.0), (120.0, 30.0)])
+    assert with_accepted(high, clear, [0, 1]).at(105.0) == 18.0
+    assert with_accepted(high, clear, []) == high
+
+
+def test_points_are_chosen_by_azimuth():
+    assert chosen_by(LINE, [160.4, -190.0]) == [1, 2]
+    with pytest.raises(LookupError, match="within 1° of 155°"):
+        chosen_by(LINE, [155.0])
+
+
+@pytest.mark.parametrize("text", ["150", "150:5", "a:b,c:d", "150:5,160:85", "10:5,350:5,20:5"])
+def test_the_simulator_refuses_what_is_no_line_of_trees(text):
+    with pytest.raises(ValueError, match="trees="):
+        TreeLine(text)
+
+
+def test_a_line_of_trees_may_go_through_north():
+    line = TreeLine("350:10,10:20")
+    assert (line.at(0.0), line.at(355.0), line.at(20.0)) == (15.0, 12.5, -90.0)
