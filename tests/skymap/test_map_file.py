@@ -17,10 +17,12 @@ NEW = NewMap("k1", PLAN, "tuner", "counts", decibels=False, demo=True, about={"d
 SET = {"transponder": "1", "lnb": "18 V"}
 
 
-def write(path, samples, new=NEW, told=SET):
+def write(path, samples, new=NEW, told=SET, *, ends=False):
     writer = MapWriter(path, new)
     for each in samples:
         writer.add(each, told)
+    if ends:
+        writer.end(samples[-1].utc)
     writer.close()
     return writer
 
@@ -29,14 +31,14 @@ def test_what_was_written_is_read_back_whole(tmp_path):
     path = tmp_path / "signal.sqlite"
     wanted = made_map(PLAN, lambda az, el: az + el)
     cross = sample(None, 170.0, 40.0, 500.0, cross_number=0, lock=True, snr_db=9.5, polarisation="H")
-    writer = write(path, [cross, *wanted.samples])
+    writer = write(path, [cross, *wanted.samples], ends=True)
     assert (writer.problem, writer.kept, writer.number) == ("", 6, 1)
     read = read_map(path, 1)
     assert read.samples == wanted.samples
     assert read.crosses == (cross,)
     assert read.settings == (SET,)
     assert (read.plan, read.about, read.demo, read.is_complete) == (PLAN, {"dish": "Carryout G2"}, True, True)
-    assert read.ended == max(each.utc for each in wanted.samples)
+    assert read.ended == wanted.samples[-1].utc
     assert read.grid().tolist() == [[185.0, 186.0, 187.0], [186.0, 187.0, 188.0]]
 
 
@@ -64,7 +66,7 @@ def test_another_setting_of_the_receiver_is_kept_beside_the_first(tmp_path):
 def test_two_maps_lie_side_by_side_and_an_unfinished_one_has_no_end(tmp_path):
     path = tmp_path / "signal.sqlite"
     samples = made_map(PLAN, lambda az, el: az).samples
-    write(path, samples)
+    write(path, samples, ends=True)
     write(path, samples[:1], replace(NEW, key="k2"))
     assert [(head.number, head.key, head.heard, head.ended is None) for head in list_maps(path)] == [
         (2, "k2", 1, True), (1, "k1", 6, False),

@@ -1,11 +1,13 @@
 """What is asked for when a map is to be made: its values, its way back from the file, and its estimate."""
 
 from dataclasses import replace
+from datetime import UTC, datetime
 
 import pytest
 from birdcage.base.beam import Beam
 from birdcage.skymap.map_file import MapWriter, NewMap, find_map
-from birdcage.skymap.map_request import MapRequest, again, checked_times, estimate, usual_step_deg, within_reach
+from birdcage.skymap.map_request import MapRequest, again, estimate, usual_step_deg, within_reach
+from birdcage.skymap.map_times import typed_times
 from birdcage.skymap.plan import MapOrder, MapPlan
 from birdcage.station.known import model_of
 from birdcage.station.state import StationState
@@ -57,7 +59,20 @@ def test_the_estimate_goes_by_the_speeds_of_the_dish_and_what_is_left():
     assert crosses.seconds > quick.seconds + 3 * 10 * 0.6
 
 
-def test_a_map_that_ends_before_it_begins_is_refused():
-    checked_times(0.0, 0.0, 100.0)
-    with pytest.raises(ValueError, match="end after the start"):
-        checked_times(200.0, 150.0, 100.0)
+NOW_S = datetime(2026, 11, 27, 22, 0, tzinfo=UTC).timestamp()
+
+
+def test_times_are_the_next_ones_in_utc():
+    assert typed_times("", "", NOW_S) == (0.0, 0.0)
+    assert typed_times("23:00", "05:30", NOW_S) == (NOW_S + 3600.0, NOW_S + 7.5 * 3600.0)
+    assert typed_times("", "21:59", NOW_S) == (0.0, NOW_S + 23 * 3600.0 + 59 * 60.0)
+    assert typed_times("2026-11-28T01:00+01:00", "", NOW_S)[0] == NOW_S + 2 * 3600.0
+
+
+@pytest.mark.parametrize(("start", "until", "words"), [
+    ("25:00", "", "is not a time. Type 23:00"), ("soon", "", "is not a time"), ("11", "", "is not a time"),
+    ("2026-11-29T01:00Z", "2026-11-28T01:00Z", "end after the start"),
+])  # fmt: skip
+def test_what_is_no_time_is_refused(start, until, words):
+    with pytest.raises(ValueError, match=words):
+        typed_times(start, until, NOW_S)

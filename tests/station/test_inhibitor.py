@@ -9,11 +9,12 @@ import threading
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.station import inhibitor
-from birdcage.station.events import ActivityChanged, PursuitChanged
+from birdcage.station.events import ActivityChanged, PursuitChanged, TaskChanged
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.pursuit_state import Phase, Pursuit, PursuitOptions
 from birdcage.station.state import Activity, StationState
 from birdcage.station.state_store import StateStore
+from birdcage.station.task_state import TaskPhase, TaskState
 
 WAIT_S = 5.0
 
@@ -32,6 +33,12 @@ class Mover:
     def pursues(self, phase: Phase) -> None:
         pursuit = Pursuit(1, "you", None, PursuitOptions(), phase, 0.0, "")
         self.board.tell(PursuitChanged(*self.board.stamp(), pursuit))
+
+    def works(self, *phases: TaskPhase) -> None:
+        for phase in phases:
+            task = TaskState(1, "map", "you", phase, 0.0, "")
+            self.board.change(tasks=() if phase is TaskPhase.OVER else (task,))
+            self.board.tell(TaskChanged(*self.board.stamp(), task))
 
     def does(self, activity: Activity) -> None:
         self.board.tell(ActivityChanged(*self.board.stamp(), activity, ""))
@@ -78,6 +85,20 @@ def test_one_hold_for_a_motion_until_a_little_after_it(activity) -> None:
     assert holds.become(2, 1)
     awake.close()
     assert (holds.taken, holds.ended) == (2, 2)
+
+
+def test_a_task_that_waits_or_rests_between_two_motions_keeps_the_hold() -> None:
+    station, holds = Mover(), Holds()
+    awake = SleepInhibitor(station, holds, after_s=0.05)
+    station.works(TaskPhase.WAITING, TaskPhase.RUNNING)
+    assert holds.become(1, 0)
+    station.does(Activity.SLEWING)
+    station.does(Activity.IDLE)
+    station.works(TaskPhase.RUNNING)
+    assert (holds.taken, holds.ended) == (1, 0)
+    station.works(TaskPhase.OVER)
+    assert holds.become(1, 1)
+    awake.close()
 
 
 def test_a_motion_that_follows_soon_keeps_the_hold() -> None:

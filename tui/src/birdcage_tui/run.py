@@ -21,6 +21,7 @@ from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
 from birdcage.signal.source_set import SourceSet
+from birdcage.skymap.map_keeper import MapKeeper
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
@@ -238,6 +239,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
 
     sources = SourceSet(settings, clock, load_again, memory=paths.found_directions,
                         keep=lambda changes: edit(paths.config_file, changes))  # fmt: skip
+    maps = MapKeeper(sources, paths.signal_recordings, settings)
     attached = None if options.demo else _attach(paths, settings.dish.port)
     session: FaceSession
     if attached is not None:
@@ -255,7 +257,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             survey=not options.skip_init,
             identify=name_demo if options.demo else None,
             load=load_again,
-            tasks=sources.tasks,
+            tasks={**sources.tasks, **maps.tasks},
         )
         # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
         # is: nothing else can be done there.
@@ -272,6 +274,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             del flags[given]  # what a person says here counts over what was given at the start
 
     sources.attach(session.station)
+    maps.attach(session.station)
     network, services = None, Services()
     if attached is not None:
         track = follow_there(attached.station)

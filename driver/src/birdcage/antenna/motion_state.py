@@ -90,6 +90,12 @@ class MotionState:
         """The machine rests."""
         self.assume(None)
 
+    def see_at_rest(self, at: float) -> None:
+        """A reading at monotonic seconds has shown that it rests, with nothing under way."""
+        with self.lock:
+            if self.model is None:
+                self.seen_at_rest = at
+
     def forget(self) -> None:
         """It goes otherwise than modelled, or where it goes is no longer known: STOP has to look first."""
         with self.lock:

@@ -205,6 +205,7 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     from birdcage.signal.source_set import SourceSet
+    from birdcage.skymap.map_keeper import MapKeeper
     from birdcage.station.build import open_session
 
     known = list_firmwares()
@@ -214,12 +215,14 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
             "BIRDCAGE_FIRMWARE and dish.firmware the port is asked."
         )
     sources = SourceSet(wanted.settings, clock, wanted.load, memory=wanted.paths.found_directions)
+    maps = MapKeeper(sources, wanted.paths.signal_recordings, wanted.settings)
     session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey, load=wanted.load, tasks=sources.tasks,
+        clock=clock, survey=survey, load=wanted.load, tasks={**sources.tasks, **maps.tasks},
         on_close=sources.close_meters,
     )  # fmt: skip
     sources.attach(session.station)
+    maps.attach(session.station)
     return session
 
 

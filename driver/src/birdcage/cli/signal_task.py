@@ -63,12 +63,14 @@ def known_slots(wants: Wanted) -> Sequence[SlotSeen]:
 
 
 def follow_task(
-    dish: StationCommand, kind: str, values: Mapping[str, TaskValue], holder: str, takes_s: float, doing: str,
+    dish: StationCommand, kind: str, values: Mapping[str, TaskValue], holder: str, takes_s: float,
+    doing: str | Callable[[TaskState], str],
     show: Callable[[TaskState], object] | None = None,
 ) -> TaskState:  # fmt: skip
     """Have the station do it, show how far it is, and return how it ended.
 
-    `doing` is what is shown, with `{}` for how many are done and of how many; `show` is told of each change.
+    `doing` is what is shown, with `{}` for how many are done and of how many, or makes it; `show` is told of each
+    change.
     BirdcageError where it can't be begun, or is cut short, or takes longer than `takes_s`; LinkError where it ended
     with the link.
     """
@@ -81,7 +83,8 @@ def follow_task(
                 dish.progress.clear()
                 show(event.task)
             done, of = event.task.done or 0, event.task.of
-            dish.progress.show(f"{bar(done, of)} {doing.format(done, of)}" if of else doing.format(done, of))
+            words = doing.format(done, of) if isinstance(doing, str) else doing(event.task)
+            dish.progress.show(f"{bar(done, of)} {words}" if of else words)
             if event.task.phase is TaskPhase.OVER:
                 ended[event.task.number] = event.task
 

@@ -26,14 +26,19 @@ def named(words: tuple[str, ...], wants: Wanted) -> Target:
     return find_target(words, wants.paths, None, say).target
 
 
-def path_from(target: Target, wants: Wanted, begin_s: float, length_s: float) -> SourcePath:
-    """Return where it is from a time on. ConfigError where no place is set; MotionRefused for one that is not up."""
+def path_from(
+    target: Target, wants: Wanted, begin_s: float, length_s: float, *, whole: bool = True
+) -> SourcePath:  # fmt: skip
+    """Return where it is from a time on. ConfigError where no place is set; MotionRefused for one that is not up.
+
+    `whole`: it has to be up all that time, and not at its beginning alone.
+    """
     if isinstance(target, Fixed):
         return SourcePath(((begin_s, target.az_deg, target.el_deg),))
     observer = find_observer(wants.settings, None, None, None)
     path = seen_path(target, observer, wants.settings.tracking.refraction, begin_s, length_s)
-    if any(row[2] < 0.0 for row in path.rows):
-        words = f"{target.name} is not above the horizon all that time. Nothing moves."
+    if any(row[2] < 0.0 for row in (path.rows if whole else path.rows[:1])):
+        words = f"{target.name} is not above the horizon{' all that time' if whole else ' then'}. Nothing moves."
         raise MotionRefused(words, reason=Reason.BELOW_HORIZON)
     return path
 

@@ -139,12 +139,17 @@ class MapWriter:
         self.number: int | None = None
         """Of the map, once something of it is on disk."""
         self._settings: dict[str, int] = {}
-        self._writer: BackgroundWriter[tuple[MapSample, str]] = BackgroundWriter("sky map", self._write)
+        self._writer: BackgroundWriter[tuple[MapSample | None, str]] = BackgroundWriter("sky map", self._write)
 
     def add(self, sample: MapSample, settings: Mapping[str, str]) -> None:
         """Keep what was heard in a direction, with how the receiver was set; its own `settings` is not looked at."""
         if not self.problem:
             self._writer.offer((sample, json.dumps(dict(settings), sort_keys=True)))
+
+    def end(self, utc: datetime) -> None:
+        """Every direction that the dish can go to was heard."""
+        if not self.problem:
+            self._writer.offer((None, _stamp(utc)))
 
     def flush(self, timeout_s: float = CLOSE_S) -> None:
         """Wait until what was added is on the disk."""
@@ -155,7 +160,7 @@ class MapWriter:
         self._writer.flush(timeout_s)
         self._writer.close(timeout_s)
 
-    def _write(self, rows: list[tuple[MapSample, str]], dropped: int) -> None:
+    def _write(self, rows: list[tuple[MapSample | None, str]], dropped: int) -> None:
         import sqlite3  # when there is something to keep: a face paints without it
 
         if self.problem or not rows:
@@ -170,31 +175,33 @@ class MapWriter:
             self.problem = f"The map can't be kept: {error}. {FULL}."
             return
         self.number = number
-        self.kept += sum(sample.cell is not None for sample, _told in rows)
+        self.kept += sum(sample is not None and sample.cell is not None for sample, _told in rows)
         if dropped:
             self.problem = f"The disk is too slow for the map. {FULL}."
 
-    def _insert(self, connection: sqlite3.Connection, rows: list[tuple[MapSample, str]]) -> int:
-        number, marks = self._begin(connection, rows[0][0]), ", ".join("?" * (len(NAMES) + 1))
+    def _insert(self, connection: sqlite3.Connection, rows: list[tuple[MapSample | None, str]]) -> int:
+        samples = [(sample, told) for sample, told in rows if sample is not None]
+        number, marks = self._begin(connection, samples[0][0] if samples else None), ", ".join("?" * (len(NAMES) + 1))
         connection.executemany(
             f"INSERT OR IGNORE INTO map_sample (map, {COLUMNS}) VALUES ({marks})",  # noqa: S608 - question marks
-            [(number, *self._values(connection, number, sample, told)) for sample, told in rows],
+            [(number, *self._values(connection, number, sample, told)) for sample, told in samples],
         )
-        heard = connection.execute("SELECT count(cell) FROM map_sample WHERE map = ?", (number,)).fetchone()[0]
-        if heard >= self._new.plan.cells:
-            last = max(_stamp(sample.utc) for sample, _told in rows)
-            connection.execute("UPDATE map SET ended = ? WHERE id = ? AND ended IS NULL", (last, number))
+        for ended in (told for sample, told in rows if sample is None):
+            connection.execute("UPDATE map SET ended = ? WHERE id = ? AND ended IS NULL", (ended, number))
         return number
 
-    def _begin(self, connection: sqlite3.Connection, first: MapSample) -> int:
+    def _begin(self, connection: sqlite3.Connection, first: MapSample | None) -> int:
+        """Return the number of the map, which its first direction makes."""
         new = self._new
-        connection.execute(
-            "INSERT OR IGNORE INTO map (key, plan, begun, source, unit, decibels, demo, about) "
-            "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
-            (new.key, json.dumps(new.plan.values()), _stamp(first.utc), new.source, new.unit, new.decibels, new.demo,
-             json.dumps(dict(new.about))),
-        )  # fmt: skip
-        return int(connection.execute("SELECT id FROM map WHERE key = ?", (new.key,)).fetchone()[0])
+        if first is not None:
+            connection.execute(
+                "INSERT OR IGNORE INTO map (key, plan, begun, source, unit, decibels, demo, about) "
+                "VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                (new.key, json.dumps(new.plan.values()), _stamp(first.utc), new.source, new.unit, new.decibels,
+                 new.demo, json.dumps(dict(new.about))),
+            )  # fmt: skip
+        found = connection.execute("SELECT id FROM map WHERE key = ?", (new.key,)).fetchone()
+        return 0 if found is None else int(found[0])
 
     def _values(self, connection: sqlite3.Connection, number: int, sample: MapSample, told: str) -> list[object]:
         if told not in self._settings:

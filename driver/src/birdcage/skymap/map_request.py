@@ -163,9 +163,3 @@ def _travel_s(axis: Axis, way_deg: float) -> float:
     if axis.times is not None:
         return axis.times.seconds(way_deg)
     return plan_slew(0.0, way_deg, axis.speed_deg_s, axis.acceleration_deg_s2).duration_s
-
-
-def checked_times(start_s: float, until_s: float, now_s: float) -> None:
-    """Raise ValueError where a map would end before it begins. POSIX seconds, 0 where none is set."""
-    if until_s and until_s <= max(start_s, now_s):
-        raise ValueError("It would end before it begins. Give an end after the start.")

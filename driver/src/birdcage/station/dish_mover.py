@@ -11,12 +11,21 @@ from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.state import Activity
 
+SHORT_S = 0.5
+"""A motion that is over so soon is not looked at before."""
+LATE_S, LATER_S, SOONER_S, LATEST_S = 0.04, 0.02, 0.001, 0.3
+"""So long after a short motion should be over the dish is looked at: at first; how much longer after a look that came
+too soon; how much sooner after one that did not; at the most. So about one look in twenty comes too soon."""
+
 
 class DishMover(QueuedMover):
     """Sends each motion whole where a new target is taken in mid-motion, and polls the position while it lasts.
 
     A dish that was seen to take no command while a motor runs is moved in legs from then on.
     """
+
+    _late_s = LATE_S
+    """How long after a short motion should be over a look finds the dish at rest, by the looks so far."""
 
     def go(self, job: Job, *, clamp: bool = False, leapfrog: bool = False) -> None:
         """Send a motion. What the gate refuses is raised, and the motion under way goes on."""
@@ -42,7 +51,9 @@ class DishMover(QueuedMover):
             permit()  # STOP may have come with the last answer: it has ended this motion
         job.answered = clock.monotonic()
         self.activity(Activity.SLEWING, "")
-        self._update()
+        eta = self._update()
+        if job.brisk and eta - clock.monotonic() < SHORT_S:
+            self.due = eta + self._late_s
 
     def _point(self, job: Job, begin: Callable[[tuple[float, float]], None], *, clamp: bool, leapfrog: bool) -> None:
         try:
@@ -61,14 +72,22 @@ class DishMover(QueuedMover):
         if not job.whole:
             super()._follow(job)
             return
+        must_rest = job.brisk and self._must_rest()
+        job.looks += 1
         pointing = self._read(job)
         if pointing is None:
             return
         dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
         off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
         off_el = abs(pointing.dish_el_deg - dish_el)
-        if job.still_since is not None and max(off_az, off_el) <= ARRIVED_DEG:
+        is_there = max(off_az, off_el) <= ARRIVED_DEG
+        if must_rest and job.looks == 1:
+            self._late_s = self._late_s - SOONER_S if is_there else self._late_s + LATER_S
+            self._late_s = min(max(self._late_s, 0.0), LATEST_S)
+        if is_there and (must_rest or job.still_since is not None):
             self._arrive(job, pointing)
+            if job.brisk and self._job is None:
+                self._antenna.moving.see_at_rest(pointing.at)
             return
         if self._ends_untaken(job, pointing):
             return
@@ -80,6 +99,11 @@ class DishMover(QueuedMover):
             )
             return
         self._tell_progress(job, pointing, eta - self._store.clock.monotonic())
+
+    def _must_rest(self) -> bool:
+        """Return whether it should be there by now, as far as its speeds are known."""
+        motion, clock = self._antenna.motion, self._store.clock
+        return motion is not None and motion.eta_known and clock.monotonic() >= motion.eta(clock.rate)
 
     def _update(self) -> float:
         """Show when it should be there, and what stops it; return the former."""

@@ -12,7 +12,7 @@ import threading
 from collections.abc import Callable
 from typing import Protocol
 
-from birdcage.station.events import ActivityChanged, Event, PursuitChanged
+from birdcage.station.events import ActivityChanged, Event, PursuitChanged, TaskChanged
 from birdcage.station.pursuit_state import Phase
 from birdcage.station.state import MOVING, LinkPhase
 from birdcage.station.station import Station
@@ -77,7 +77,7 @@ def launch() -> Hold | None:
 
 
 class SleepInhibitor:
-    """Holds while the dish of `station` moves, or a pursuit is not over, and `after_s` longer. On a thread of its own.
+    """Holds while the dish of `station` moves, or a task is not over, and `after_s` longer. On a thread of its own.
 
     Never for a simulated dish.
 
@@ -89,11 +89,11 @@ class SleepInhibitor:
         self._told: queue.SimpleQueue[bool | None] = queue.SimpleQueue()
         self._thread: threading.Thread | None = None
         self._hopeless = False
-        self._moves = self._pursues = False
-        """Whether the dish moves, and whether a pass is waited for or followed: asleep, it would be missed."""
+        self._moves = self._pursues = self._works = False
+        """Whether the dish moves, a pass is waited for or followed, a task goes on: asleep, it would be missed."""
         self._raw = False
         """Whether a raw line may have begun the motion: nothing need tell when that one ends."""
-        self._unsubscribe = station.subscribe(self._hear, PursuitChanged, ActivityChanged)
+        self._unsubscribe = station.subscribe(self._hear, PursuitChanged, ActivityChanged, TaskChanged)
 
     def close(self) -> None:
         """Let the machine sleep; waits for the helper process to end, a second at most."""
@@ -107,12 +107,17 @@ class SleepInhibitor:
             return
         if isinstance(event, PursuitChanged):
             self._pursues = event.pursuit.phase is not Phase.OVER
+        elif isinstance(event, TaskChanged):
+            works = bool(self._station.state.tasks)
+            if works is self._works:
+                return  # a map tells of each direction
+            self._works = works
         elif isinstance(event, ActivityChanged):
             self._raw = event.raw
             self._moves = self._raw or event.activity in MOVING
         else:
             return
-        moves = self._moves or self._pursues
+        moves = self._moves or self._pursues or self._works
         if self._thread is None:
             if not moves:
                 return

@@ -56,8 +56,12 @@ class Job:
     """Where the skew is sent; azimuth and elevation then stay where they are."""
     whole: bool = False
     """Whether both axes were sent at once, and not in legs."""
+    brisk: bool = False
+    """Whether one reading there, asked for after the time at which the dish must rest, is its arrival."""
     to_rest: bool = False
     """Where it goes is the firmware's own business: it has arrived when it rests."""
+    looks: int = 0
+    """How often it was looked at."""
     answered: float = 0.0
     """When the dish had answered its last command; monotonic seconds."""
     still_since: float | None = None

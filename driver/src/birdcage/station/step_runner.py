@@ -367,7 +367,8 @@ class StepRunner:
         whole = azimuth.max_deg - azimuth.min_deg >= 360.0
         true = self._antenna.alignment.to_true(az_deg % 360.0 if whole else az_deg, el_deg)
         arrival: Future[object] = Future()
-        self._mover.go(Job(*true, self.holder, arrival))
+        brisk = isinstance(self.step, PointAt) and self.step.brisk
+        self._mover.go(Job(*true, self.holder, arrival, brisk=brisk))
         self._arrival, self._az_deg = arrival, az_deg
 
     def _hear(self, step: Hear) -> StepResult | None:

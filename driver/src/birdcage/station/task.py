@@ -38,6 +38,8 @@ class Task(ABC):
     """What STOP has cut short, in a sentence."""
     resume_words: ClassVar[str] = "Release it to resume."
     """What makes it go on, once it was interrupted."""
+    homed_words: ClassVar[str] = ""
+    """The same where the dish no longer knows where it points; empty for the same words."""
     holder: str
     resumes: bool = False
     """Whether it may go on by itself after a short loss of the link with nothing changed."""
@@ -51,6 +53,11 @@ class Task(ABC):
     def streams(self) -> bool:
         """Whether what it sends now keeps the dish in motion: it has to come to rest when this ends."""
         return False
+
+    @property
+    def keeps_speeds(self) -> bool:
+        """Whether speeds that it has changed stay so now; else they are put back before anything else moves."""
+        return self.streams
 
     @property
     def ends_at_s(self) -> float:

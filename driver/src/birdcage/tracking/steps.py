@@ -72,6 +72,8 @@ class PointAt:
     el_deg: float
     optional: bool = False
     """Whether one beyond the dish's limits is left out: the answer names no direction then. Else the task ends."""
+    brisk: bool = False
+    """Whether one look after the time at which it must rest is enough, and no second one that agrees is waited for."""
 
 
 @dataclass(frozen=True, slots=True)

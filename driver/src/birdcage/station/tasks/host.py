@@ -156,7 +156,7 @@ class TaskHost:
         """Whether speeds that a task has changed are to be put back now, before anything else moves."""
         if not self.speeds.are_changed or self._parts.stopper.is_pending:
             return False
-        return not any(run.streams for run in self._runs)
+        return not any(run.keeps_speeds for run in self._runs)
 
     def restore(self) -> None:
         """Put them back. What the dish refuses is told as a fault, and not tried again."""

@@ -70,6 +70,11 @@ class TaskRun:
         """Whether it keeps the dish in motion now."""
         return self._steps is not None and self.task.streams
 
+    @property
+    def keeps_speeds(self) -> bool:
+        """Whether the speeds that it has changed stay so now."""
+        return self._steps is not None and self.task.keeps_speeds
+
     def hurry(self) -> None:
         """End a wait of its steps: what they wait for has changed."""
         self._runner.hurry = True

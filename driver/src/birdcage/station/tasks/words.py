@@ -57,7 +57,8 @@ def interrupted(reason: HeldReason, task: Task) -> str:
             f"{SENTENCES[reason]} It resumes by itself if the link is back within {task.resume_within_s:g} s "
             "and the dish has not changed. Otherwise release it."
         )
-    return f"{SENTENCES.get(reason, SENTENCES[HeldReason.CLOCK])} {task.resume_words}"
+    goes_on = task.homed_words if reason is HeldReason.FAULT and task.homed_words else task.resume_words
+    return f"{SENTENCES.get(reason, SENTENCES[HeldReason.CLOCK])} {goes_on}"
 
 
 def too_late(kind: str, *, yielded_to: str) -> str:

@@ -1,0 +1,191 @@
+"""What a station's maps are made with: the source that is heard, the file that keeps them, what is known beside."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from datetime import datetime
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from birdcage.rotator.feature import RSSI, TRANSPONDER, speed_of
+from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
+from birdcage.signal.ear import TaskEar
+from birdcage.signal.source import Scale, SignalFacts
+from birdcage.skymap.battery import Battery, read_battery
+from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
+from birdcage.skymap.map_request import KIND
+from birdcage.skymap.sky_map import MapSample
+
+if TYPE_CHECKING:
+    from birdcage.base.config import Settings
+    from birdcage.signal.source_set import SourceSet
+    from birdcage.skymap.map_task import MapTask
+    from birdcage.station.access import StationAccess
+    from birdcage.station.state import StationState
+    from birdcage.station.task import Task
+
+LOW_PERCENT = 10.0
+"""A map ends while the battery can still park the dish."""
+SETTINGS = (TRANSPONDER, "frequency", "symbol_rate", "polarisation", "lnb_supply", "rf_agc", "if_agc")
+"""How the dish's own tuner is set: read at the beginning, and again with each reference cross."""
+MEASURED = ("rf_agc", "if_agc")
+"""What it is not set to, but finds: two maps may differ there."""
+
+
+class KeptMap:
+    """One map that is being made."""
+
+    def __init__(
+        self, new: NewMap, path: Path | None, ear: TaskEar, facts: SignalFacts, station: StationAccess
+    ) -> None:  # fmt: skip
+        self.ear, self.of_dish, self.decibels = ear, facts.of_dish, new.decibels
+        self._facts, self._station = facts, station
+        self.heard = frozenset() if path is None else heard_cells(path, new.key)
+        self._writer = None if path is None else MapWriter(path, new)
+
+    @property
+    def problem(self) -> str:
+        """Why nothing is kept any more; empty while all is well."""
+        return "" if self._writer is None else self._writer.problem
+
+    @property
+    def settings_ids(self) -> tuple[str, ...]:
+        """What is read of the dish's own tuner to know how it is set."""
+        return self.told_of(SETTINGS) if self.of_dish else ()
+
+    def told_of(self, ids: tuple[str, ...]) -> tuple[str, ...]:
+        """Return those features that this machine has."""
+        dish = self._station.state.dish
+        return () if dish is None else tuple(each for each in ids if each in dish.features)
+
+    def sample(self, *, readings: int, **values: Any) -> MapSample:  # noqa: ANN401 - the fields of a sample
+        """Return what was heard in a direction, with what the station knows beside it."""
+        state = self._station.state
+        feature = None if state.dish is None else state.dish.features.get(RSSI)
+        each = feature.samples or 1 if self.of_dish and feature is not None else 1
+        polarisation = state.readings.get("polarisation")
+        return MapSample(
+            n=readings * each, settings=0, target=state.signal_owners.get(self._facts.id, ""),
+            polarisation=None if polarisation is None or not self.of_dish else str(polarisation.value),
+            state=state.activity.value, **values,
+        )  # fmt: skip
+
+    def add(self, sample: MapSample) -> None:
+        """Keep it."""
+        if self._writer is not None:
+            self._writer.add(sample, self._settings())
+
+    def end(self, utc: datetime) -> None:
+        """Every direction that can be heard was heard."""
+        if self._writer is not None:
+            self._writer.end(utc)
+
+    def close(self) -> None:
+        """Write what is waiting; nothing is added any more."""
+        if self._writer is not None:
+            self._writer.close()
+
+    def _settings(self) -> Mapping[str, str]:
+        if not self.of_dish:
+            return dict(self._facts.set_to)
+        told = self._station.state.readings
+        return {name: _told(name, told[name].value) for name in SETTINGS if name in told}
+
+
+def _told(name: str, value: object) -> str:
+    # A supply of 18.1 V is one of 18 V: its readings scatter.
+    return f"{float(value):.0f} V" if name == "lnb_supply" and isinstance(value, int | float) else str(value)
+
+
+class MapKeeper:
+    """Of one station: its `tasks` are what the station is given, `attach` comes once that is there."""
+
+    def __init__(
+        self, sources: SourceSet | None = None, path: Path | None = None, settings: Settings | None = None,
+        battery: Callable[[], Battery | None] = read_battery,
+    ) -> None:  # fmt: skip
+        """`path` is the file of recordings; None keeps nothing."""
+        self._sources, self._path, self._settings, self.battery = sources, path, settings, battery
+        self._station: StationAccess | None = None
+
+    def attach(self, station: StationAccess) -> None:
+        """Serve this station."""
+        self._station = station
+
+    @property
+    def tasks(self) -> Mapping[str, Callable[..., Task]]:
+        """What the station is given."""
+        from birdcage.skymap.map_task import MapTask
+
+        return {KIND: partial(MapTask, keeper=self)}
+
+    @property
+    def _state(self) -> StationState:
+        assert self._station is not None, "it was attached"
+        return self._station.state
+
+    @property
+    def beam_deg(self) -> float:
+        """The mean width of the beam, or what it is assumed to be."""
+        beam = self._state.beam
+        return ASSUMED_WIDTH_DEG if beam is None else beam.mean_deg
+
+    @property
+    def park(self) -> tuple[float, float] | None:
+        """Where the dish is parked, true azimuth and elevation; None where nobody has said so."""
+        tracking = None if self._settings is None else self._settings.tracking
+        if tracking is None or tracking.park_az_deg is None or tracking.park_el_deg is None:
+            return None
+        return tracking.park_az_deg, tracking.park_el_deg
+
+    def speeds_deg_s(self, part: float) -> Mapping[int, float]:
+        """Return a part of the speed of each axis whose speed can be set, by motor number."""
+        dish = self._state.dish
+        axes = () if dish is None else (dish.azimuth, dish.elevation)
+        return {axis.index: axis.speed_deg_s * part for axis in axes if dish and speed_of(axis.name) in dish.features}
+
+    def open(self, task: MapTask) -> KeptMap:
+        """Return the map of a task as the file has it. TypeError, which refuses the task: its source is unknown."""
+        assert self._sources is not None, "a station that makes maps has sources"
+        assert self._station is not None, "it was attached"
+        if task.quiet and not self.speeds_deg_s(1.0):
+            raise TypeError("this dish can't be told to turn slower. Leave quiet out")
+        ear = self._sources.ear(task.source)
+        facts = self._sources.get(task.source or self._sources.chosen).facts
+        new = NewMap(
+            task.key, task.plan, facts.id, facts.unit, facts.scale is Scale.LOG, self._state.demo or facts.demo,
+            self._about(task, facts),
+        )  # fmt: skip
+        return KeptMap(new, self._path, ear, facts, self._station)
+
+    def _about(self, task: MapTask, facts: SignalFacts) -> Mapping[str, object]:
+        state, settings = self._state, self._settings
+        dish, beam, alignment = state.dish, state.beam, state.alignment
+        told: dict[str, object] = {
+            "dish": "" if dish is None else dish.name, "firmware": self._firmware, "feed": state.feed_name,
+            "source_label": facts.label, "target": task.target, "az_offset_deg": alignment.az_offset_deg,
+            "el_offset_deg": alignment.el_offset_deg, "ca_deg": alignment.ca_deg, "an_deg": alignment.an_deg,
+            "aw_deg": alignment.aw_deg,
+        }  # fmt: skip
+        if beam is not None:
+            told |= {"beam_az_deg": beam.az_deg, "beam_el_deg": beam.el_deg}
+        if settings is not None:
+            place, freq_hz = settings.place, settings.active_feed.middle_hz
+            if place.latitude_deg is not None and place.longitude_deg is not None:
+                told |= {
+                    "latitude_deg": place.latitude_deg, "longitude_deg": place.longitude_deg,
+                    "height_m": place.height_m,
+                }  # fmt: skip
+            if freq_hz is not None:
+                told["freq_hz"] = freq_hz
+        if task.reference_every_s:
+            told |= {name: getattr(task, name) for name in
+                     ("reference_az_deg", "reference_el_deg", "reference_every_s")}  # fmt: skip
+        return told | {"reads": task.reads, "details": task.details, "quiet": task.quiet}
+
+    @property
+    def _firmware(self) -> str:
+        state = self._state
+        names = ("" if state.dish is None else state.dish.firmware, state.firmware_version or "")
+        return " ".join(name for name in names if name)

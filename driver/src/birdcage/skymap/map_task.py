@@ -1,0 +1,324 @@
+"""Makes a map: goes to each direction that was not heard yet, listens there at rest, and has it kept."""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from collections.abc import Generator, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from statistics import fmean, stdev
+from typing import TYPE_CHECKING
+
+from birdcage.base.errors import BirdcageError
+from birdcage.base.geometry import wrap_360
+from birdcage.base.reason import Reason
+from birdcage.rotator.feature import LOCK, RSSI, SNR, Reading
+from birdcage.signal.listen import check_number
+from birdcage.signal.source_path import SourcePath
+from birdcage.skymap.drift import Drift, drift_between, fit_cross
+from birdcage.skymap.map_keeper import LOW_PERCENT, KeptMap, MapKeeper
+from birdcage.skymap.map_request import CROSS_POINTS, KIND
+from birdcage.skymap.plan import MapFrame, MapPlan
+from birdcage.skymap.sky_map import MapSample
+from birdcage.station.task import Report, Task
+from birdcage.station.task_state import TaskPhase, TaskValue
+from birdcage.tracking.steps import LimitSpeeds, PointAt, ReadFeatures, Step, StepResult, Steps, Wait
+
+if TYPE_CHECKING:
+    from birdcage.signal.beam_fit import BeamFit
+
+NEWEST = 24
+"""So many of the last directions are told with each change: who has missed more reads the file."""
+CROSS_STEP = 0.35
+"""Between two directions of a reference cross, in widths of the beam."""
+COUNTDOWN_S = 5.0
+LOOK_S = 60.0
+"""How often a map that waits for its time, and one under way, looks at the battery."""
+PACE = 200
+"""The time left goes by so many directions."""
+QUIET_PART = 0.3
+"""A quiet dish turns at so much of its speed."""
+MOST_EL_DEG = 85.0
+"""Higher up a step across the line of sight is no step of the azimuth any more."""
+RESUME = "Resume it with m on F3 or `birdcage scan --resume`."
+
+Hearing = Generator[Step, StepResult, MapSample | None]
+
+
+@dataclass
+class MapTask(Task):
+    """One map, or what is left of it: the file knows which directions were heard. Values as `MapRequest.values`."""
+
+    kind = KIND
+    cut_words = f"What was heard of the map is kept. {RESUME}"
+    resume_words = "Release it, and the map goes on."
+    homed_words = "Home it. The map then repeats its reference, and goes on."
+    holder: str
+    key: str
+    x_low_deg: float
+    x_high_deg: float
+    y_low_deg: float
+    y_high_deg: float
+    step_deg: float
+    order: str = "coarse"
+    frame: str = "azel"
+    target: str = ""
+    path: tuple[tuple[float, ...], ...] = ()
+    source: str = ""
+    reads: int = 0
+    details: bool = False
+    start_s: float = 0.0
+    until_s: float = 0.0
+    reference_az_deg: float = 0.0
+    reference_el_deg: float = 0.0
+    reference_every_s: float = 0.0
+    quiet: bool = False
+    keeper: MapKeeper = field(default_factory=MapKeeper, repr=False)
+    _kept: KeptMap | None = field(default=None, init=False)
+    _heard: set[int] = field(default_factory=set, init=False)
+    _beyond: set[int] = field(default_factory=set, init=False)
+    """Directions that this dish can't go to."""
+    _newest: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=NEWEST), init=False)
+    _at_s: deque[float] = field(default_factory=lambda: deque(maxlen=PACE), init=False)
+    """When the last directions were heard."""
+    _crosses: int = field(default=0, init=False)
+    _first_cross: BeamFit | None = field(default=None, init=False)
+    _drift: Drift | None = field(default=None, init=False)
+    _crossed_s: float = field(default=-math.inf, init=False)
+    _looked_s: float = field(default=-math.inf, init=False)
+    _middle_s: float = field(default=1.0, init=False)
+    """From the command to go somewhere to the middle of the time of listening there."""
+    _why_over: str = field(default="", init=False)
+    _report: Report | None = field(default=None, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Raise TypeError, which refuses the task, for values that make no map: they may come from another program."""
+        try:
+            self.plan = MapPlan.of({
+                "x_low_deg": self.x_low_deg, "x_high_deg": self.x_high_deg, "y_low_deg": self.y_low_deg,
+                "y_high_deg": self.y_high_deg, "step_deg": self.step_deg, "order": self.order, "frame": self.frame,
+            })  # fmt: skip
+        except ValueError as error:
+            raise TypeError(str(error).removesuffix(".")) from error
+        if not self.key or not isinstance(self.key, str):
+            raise TypeError("key is empty. Give a text that no other map has")
+        for name, low, high in (
+            ("reads", 0, 1000), ("start_s", 0.0, 1e11), ("until_s", 0.0, 1e11), ("reference_az_deg", -720.0, 720.0),
+            ("reference_el_deg", -90.0, 90.0), ("reference_every_s", 0.0, 1e6),
+        ):  # fmt: skip
+            check_number(name, getattr(self, name), low, high)
+        follows = self.plan.frame is MapFrame.TARGET
+        if follows != bool(self.path):
+            raise TypeError("a map around a moving target needs a path, and no other one has it")
+        self._path = SourcePath.of(self.path) if follows else None
+        self._kept = self.keeper.open(self)
+        self._heard = set(self._kept.heard)
+
+    @property
+    def keeps_speeds(self) -> bool:
+        """Whether speeds that it has changed stay so between two moves."""
+        return self.quiet
+
+    def bind(self, report: Report) -> None:
+        """Take what tells the host of a countdown."""
+        self._report = report
+
+    def entered(self, phase: TaskPhase, why: str, *, is_done: bool) -> None:  # noqa: ARG002 - however it ended
+        """Close the file when it is over."""
+        if phase is TaskPhase.OVER:
+            self._map.close()
+
+    @property
+    def _map(self) -> KeptMap:
+        assert self._kept is not None, "it was opened as the task was made"
+        return self._kept
+
+    # Its steps
+
+    def steps(self, now_s: float, *, asked: bool) -> Steps:
+        """Wait for its time, hear the reference, and go through what is left."""
+        now_s = yield from self._wait_for_start(now_s, asked=asked)
+        with self._map.ear.open():
+            yield from self._set_up()
+            self._crossed_s = -math.inf  # whatever came between may have moved the dish
+            for cell in self.plan.sequence:
+                if cell in self._heard or cell in self._beyond:
+                    continue
+                if self.until_s and now_s >= self.until_s:
+                    self._why_over = f"It is {_clock(self.until_s)}."
+                    return
+                yield from self._look_around(now_s)
+                yield from self._hear(cell)
+                now_s = (yield Wait(0.0)).now_s
+            if self.reference_every_s and self._crosses:
+                yield from self._cross()
+        self._map.end(datetime.fromtimestamp(now_s, UTC))
+
+    def _wait_for_start(self, now_s: float, *, asked: bool) -> Generator[Step, StepResult, float]:
+        """Wait until it is time, with a countdown where the person who asked for it may have gone."""
+        if now_s >= self.start_s:
+            return now_s
+        if self._report is not None:
+            self._report(TaskPhase.WAITING, f"The map begins at {_clock(self.start_s)}.", KIND, _utc(self.start_s))
+        while now_s < self.start_s - COUNTDOWN_S:
+            now_s = (yield Wait(min(now_s + LOOK_S, self.start_s - COUNTDOWN_S))).now_s
+        if asked and self._report is not None:
+            begins_s = max(now_s + COUNTDOWN_S, self.start_s)
+            self._report(TaskPhase.COUNTDOWN, "The dish is about to move.", KIND, _utc(begins_s))
+            now_s = (yield Wait(begins_s)).now_s
+            self._report(TaskPhase.RUNNING, "", "", None)
+        return now_s
+
+    def _set_up(self) -> Steps:
+        """Turn slowly, if that was asked for, and read how the receiver is set."""
+        if self.quiet:
+            yield LimitSpeeds(self.keeper.speeds_deg_s(QUIET_PART))
+        if ids := self._map.settings_ids:
+            yield ReadFeatures(ids)
+
+    def _look_around(self, now_s: float) -> Steps:
+        """See to what has come up: a disk that is full, a battery that is empty, a reference that is due."""
+        if problem := self._map.problem:
+            raise BirdcageError(problem, reason=Reason.FAILED)
+        if now_s >= self._looked_s + LOOK_S:
+            self._looked_s = now_s
+            battery = self.keeper.battery()
+            if battery is not None and battery.is_low(LOW_PERCENT):
+                yield from self._shelter(battery.percent)
+        if self.reference_every_s and now_s >= self._crossed_s + self.reference_every_s:
+            self._crossed_s = now_s
+            yield from self._set_up()
+            yield from self._cross()
+
+    def _shelter(self, percent: float) -> Steps:
+        """Park while there is power to do so, and end."""
+        park, words = self.keeper.park, "the dish stays here"
+        if park is not None:
+            yield PointAt(*park, optional=True)
+            words = "the dish is parked"
+        raise BirdcageError(
+            f"The battery of this computer is at {percent:.0f} %: {words}, and what was heard is kept. {RESUME}",
+            reason=Reason.FAILED,
+        )
+
+    # One direction
+
+    def _hear(self, cell: int) -> Steps:
+        begun = yield Wait(0.0)
+        x_deg, y_deg = self.plan.at(cell)
+        aim = None if self._path is None else self._path.at(begun.now_s + self._middle_s)
+        to = (x_deg, y_deg) if aim is None else _beside(aim, x_deg, y_deg)
+        sample = None if to is None else (yield from self._listen(*to, cell=cell))
+        if sample is None:
+            self._beyond.add(cell)
+            return
+        self._map.add(sample)
+        self._heard.add(cell)
+        middle_s = 0.0 if sample.utc is None else sample.utc.timestamp()
+        self._at_s.append(middle_s)
+        self._middle_s += 0.3 * (middle_s - begun.now_s - self._middle_s)
+        self._newest.append((float(cell), sample.az_deg, sample.el_deg, sample.value))
+
+    def _listen(self, az_deg: float, el_deg: float, *, cell: int | None = None) -> Hearing:
+        """Go there, and return what is heard at rest; None where the dish can't go, or nothing could be read."""
+        if abs(el_deg) > 90.0:
+            return None
+        there = yield PointAt(az_deg, el_deg, optional=True, brisk=True)
+        if there.true_az_deg is None or there.true_el_deg is None:
+            return None
+        values, told = yield from self._values()
+        ended_s = (yield Wait(0.0)).now_s
+        if not values:
+            return None
+        middle_s = (there.now_s + ended_s) / 2.0
+        aim = (None, None) if self._path is None else self._path.at(middle_s)
+        snr, lock = told.get(SNR), told.get(LOCK)
+        return self._map.sample(
+            cell=cell, cross_number=None if cell is not None else self._crosses, utc=_utc(middle_s),
+            az_deg=there.true_az_deg, el_deg=there.true_el_deg, aim_az_deg=aim[0], aim_el_deg=aim[1],
+            value=fmean(values), scatter=stdev(values) if len(values) > 1 else None, readings=len(values),
+            integration_s=round(ended_s - there.now_s, 3), snr_db=None if snr is None else float(snr.value),
+            lock=None if lock is None else bool(lock.value),
+        )  # fmt: skip
+
+    def _values(self) -> Generator[Step, StepResult, tuple[list[float], Mapping[str, Reading]]]:
+        """Return what the source tells; of the dish's own tuner SNR and lock, too, in the same visit to its menu."""
+        if not self._map.of_dish:
+            return (yield from self._map.ear.values(self.reads or self._map.ear.reads)), {}
+        values: list[float] = []
+        told: dict[str, Reading] = {}
+        for turn in range(self.reads or 1):
+            more = (SNR, LOCK) if self.details and not turn else ()
+            told |= (yield ReadFeatures((RSSI, *self._map.told_of(more)))).readings
+            if (level := told.pop(RSSI, None)) is not None:
+                values.append(float(level.value))
+        return values, told
+
+    def _cross(self) -> Steps:
+        """Hear the reference: a line of directions through it along either axis."""
+        width_deg, half = self.keeper.beam_deg, CROSS_POINTS // 2
+        steps = [CROSS_STEP * width_deg * step for step in range(-half, half + 1)]
+        across = 1.0 / math.cos(math.radians(self.reference_el_deg))
+        az_deg, el_deg = self.reference_az_deg, self.reference_el_deg
+        points = []
+        for to in (*((az_deg + step * across, el_deg) for step in steps), *((az_deg, el_deg + step) for step in steps)):
+            sample = yield from self._listen(*to)
+            if sample is not None:
+                self._map.add(sample)
+                points.append(sample)
+        fit = fit_cross(points, decibels=self._map.decibels)
+        self._crosses += 1
+        if fit is not None and points[-1].utc is not None:
+            self._first_cross = self._first_cross or fit
+            self._drift = drift_between(self._first_cross, fit, points[-1].utc, decibels=self._map.decibels)
+
+    # What it tells
+
+    @property
+    def progress(self) -> tuple[int, int]:
+        """How many directions were heard, and of how many."""
+        return len(self._heard), self.plan.cells - len(self._beyond)
+
+    @property
+    def found(self) -> Mapping[str, TaskValue]:
+        """`map`: its key; `newest`: cell, azimuth, elevation and value of the last directions; `left_s`, if known.
+
+        `beyond`: how many directions are out of reach. After the second reference cross `gain` (parts of the first,
+        or decibels), `right_deg`, `up_deg` and `lost_steps`.
+        """
+        told: dict[str, TaskValue] = {"map": self.key, "newest": tuple(self._newest), "beyond": len(self._beyond)}
+        if len(self._at_s) > 1:
+            pace_s = (self._at_s[-1] - self._at_s[0]) / (len(self._at_s) - 1)
+            heard, of = self.progress
+            told["left_s"] = pace_s * (of - heard)
+        if self._drift is not None and self._crosses > 1:
+            drift = self._drift
+            told |= {"gain": drift.gain, "right_deg": drift.right_deg, "up_deg": drift.up_deg,
+                     "lost_steps": drift.lost_steps}  # fmt: skip
+        return told
+
+    @property
+    def end_words(self) -> str:
+        """Say whether it is whole, and what is missing."""
+        heard, of = self.progress
+        if self._why_over:
+            return f"{self._why_over} {heard} of {of} directions are heard. {RESUME}"
+        beyond = f" {len(self._beyond)} more are out of reach." if self._beyond else ""
+        return f"The map is complete: {heard} directions.{beyond}"
+
+
+def _beside(aim: tuple[float, float], right_deg: float, up_deg: float) -> tuple[float, float] | None:
+    """Return the direction so far right of a target, on the sky, and above it; None where it stands too high."""
+    el_deg = aim[1] + up_deg
+    if el_deg > MOST_EL_DEG:
+        return None
+    return wrap_360(aim[0] + right_deg / math.cos(math.radians(el_deg))), el_deg
+
+
+def _utc(at_s: float) -> datetime:
+    return datetime.fromtimestamp(at_s, UTC)
+
+
+def _clock(at_s: float) -> str:
+    return f"{_utc(at_s):%H:%M} UTC"

@@ -1,0 +1,301 @@
+"""A map over the wire: where the dish goes, what is kept of it, and how it can end and go on."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from types import SimpleNamespace
+
+import pytest
+from birdcage.base.config import load
+from birdcage.base.errors import CommandRefused, StoreError
+from birdcage.base.geometry import shortest_turn
+from birdcage.skymap import map_file, map_keeper
+from birdcage.skymap.battery import Battery
+from birdcage.skymap.map_file import MapWriter, list_maps
+from birdcage.skymap.map_request import MapRequest
+from birdcage.skymap.plan import MapFrame, MapOrder, MapPlan
+from birdcage.station.not_now import NotNow
+from birdcage.station.requests import AcknowledgeFault, AcquireLease, BeginTask, Home, Release, ReleaseLease
+from birdcage.station.task_state import TaskPhase
+
+from tests.skymap.map_bench import SMALL, made
+
+
+def test_every_direction_is_heard_once_where_the_dish_rests(tmp_path):
+    bench = made(tmp_path)
+    bench.begin()
+    ended = bench.run()
+    assert (ended.is_done, ended.done, ended.of) == (True, 24, 24), ended.why
+    assert ended.why == "The map is complete: 24 directions."
+    read = bench.read()
+    assert [each.cell for each in read.samples] == list(SMALL.sequence)
+    assert read.is_complete
+    assert read.ended is not None
+    for each in read.samples:
+        x, y = SMALL.at(each.cell)
+        assert (each.az_deg, each.el_deg) == (pytest.approx(x, abs=0.08), pytest.approx(y, abs=0.08))
+    assert {each.n for each in read.samples} == {10}
+    assert read.about["dish"] == "Carryout G2"
+    assert read.settings[0]["transponder"]
+    assert bench.state.holder is None
+
+
+def test_a_direction_costs_nine_lines_and_the_dish_is_looked_at_before_it_is_heard(tmp_path):
+    bench = made(tmp_path, "g2?seed=1&latency_min=0.02&latency_max=0.1")
+    bench.begin(MapPlan(170.0, 190.0, 40.0, 40.0, 1.0, MapOrder.ROWS))
+    bench.run(until=lambda task: task.done == 1)
+    before = len(bench.lines())
+    bench.run(until=lambda task: task.done == 21)
+    lines = bench.lines()[before:]
+    assert len(lines) <= 9.5 * 20
+    for move, after in itertools.pairwise(lines):
+        if move.startswith("a 0 "):
+            assert after == "a"
+
+
+def test_stop_ends_it_and_it_goes_on_at_the_next_direction(tmp_path):
+    bench = made(tmp_path)
+    bench.begin()
+    bench.run(until=lambda task: task.done == 7)
+    bench.station.stop("you")
+    bench.step(3.0)
+    assert "What was heard of the map is kept." in bench.task.why
+    ((_number, kept, ended),) = bench.heard()
+    assert (kept, ended) == (bench.task.done, False)
+    bench.do(Release("you"))
+    bench.begin()
+    assert bench.run().is_done
+    samples = bench.read().samples
+    assert [each.cell for each in samples] == list(SMALL.sequence)
+    assert bench.heard() == [(1, 24, True)]
+
+
+def test_a_program_that_dies_loses_no_direction_and_the_next_one_hears_none_again(tmp_path, monkeypatch):
+    writers = []
+
+    def writing(*told):
+        writers.append(MapWriter(*told))
+        return writers[-1]
+
+    monkeypatch.setattr(map_keeper, "MapWriter", writing)
+    bench = made(tmp_path)
+    bench.begin()
+    bench.run(until=lambda task: task.done == 9)
+    writers[0].flush()
+    kept = bench.read().samples
+    del bench  # as by kill -9: nothing is ended in order
+    after = made(tmp_path)
+    after.begin()
+    assert after.run().is_done
+    samples = after.read().samples
+    assert samples[: len(kept)] == kept
+    assert sorted(each.cell for each in samples) == list(range(24))
+
+
+def test_an_unplugged_cable_interrupts_it_and_release_lets_it_go_on(tmp_path):
+    bench = made(tmp_path)
+    bench.begin()
+    bench.run(until=lambda task: task.done == 7)
+    bench.device.unplug()
+    bench.step(5.0)
+    assert bench.task.phase is TaskPhase.INTERRUPTED
+    bench.device.plug()
+    bench.step(20.0)
+    assert bench.state.held is not None
+    assert bench.task.done == 7
+    bench.do(Release("you"))
+    assert bench.run().is_done
+    assert [each.cell for each in bench.read().samples] == list(SMALL.sequence)
+
+
+def test_what_is_beyond_the_limits_is_left_out_and_told(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(MapPlan(180.0, 182.0, 16.0, 19.0, 1.0))
+    ended = bench.run()
+    assert ended.why == "The map is complete: 6 directions. 6 more are out of reach."
+    assert {each.el_deg > 17.9 for each in bench.read().samples} == {True}
+    assert bench.heard() == [(1, 6, True)]
+
+
+def test_a_map_waits_for_its_time_and_counts_down_before_the_dish_moves(tmp_path):
+    bench = made(tmp_path)
+    begins_s = bench.clock.utc().timestamp() + 600.0
+    bench.begin(start_s=begins_s, until_s=begins_s + 6.0)
+    bench.step(590.0)
+    at = bench.clock.monotonic()
+    assert bench.task.phase is TaskPhase.WAITING
+    assert bench.task.why.startswith("The map begins at ")
+    bench.step(7.0)
+    assert bench.task.phase is TaskPhase.COUNTDOWN
+    assert bench.moves_since(at) == []
+    bench.run()
+    assert 3 < bench.task.done < 24
+    assert "directions are heard. Resume it" in bench.task.why
+    assert bench.heard() == [(1, bench.task.done, False)]
+
+
+def test_a_reference_cross_comes_first_every_so_often_and_last(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(reference=(176.0, 43.0), reference_every_s=15.0)
+    ended = bench.run()
+    assert ended.is_done, ended.why
+    crosses = bench.read().crosses
+    numbers = sorted({each.cross_number for each in crosses})
+    assert numbers == list(range(len(numbers)))
+    assert len(numbers) >= 3
+    assert len(crosses) == 10 * len(numbers)
+    assert crosses[0].utc < bench.read().samples[0].utc
+    assert crosses[-1].utc > bench.read().samples[-1].utc
+    assert len(bench.read().samples) == 24
+
+
+def test_a_low_battery_parks_the_dish_and_ends_the_map(tmp_path):
+    left = [80.0]
+    file = tmp_path / "birdcage.toml"
+    file.write_text("[tracking]\npark_az_deg = 120.0\npark_el_deg = 30.0\n")
+    bench = made(tmp_path, battery=lambda: Battery(left[0], on_mains=False), settings=load(file, environ={}))
+    bench.begin(MapPlan(170.0, 190.0, 35.0, 45.0, 1.0))
+    bench.run(until=lambda task: task.done == 5)
+    left[0] = 9.0
+    ended = bench.run()
+    assert ended.why.startswith("The battery of this computer is at 9 %: the dish is parked")
+    assert not ended.is_done
+    assert bench.state.position.az_deg == pytest.approx(120.0, abs=0.1)
+    assert bench.heard()[0][1] == ended.done
+
+
+def test_a_map_around_a_moving_target_stays_with_it(tmp_path):
+    bench = made(tmp_path)
+    now_s = bench.clock.utc().timestamp()
+    path = ((now_s, 170.0, 30.0), (now_s + 1000.0, 190.0, 50.0))
+    plan = MapPlan(-1.0, 1.0, -1.0, 1.0, 1.0, MapOrder.SPIRAL, MapFrame.TARGET)
+    bench.begin(plan, path=path, target="mover")
+    assert bench.run().is_done
+    read = bench.read()
+
+    for each in read.samples:
+        x, y = plan.at(each.cell)
+        right = shortest_turn(each.aim_az_deg, each.az_deg) * math.cos(math.radians(each.el_deg))
+        assert (right, each.el_deg - each.aim_el_deg) == (pytest.approx(x, abs=0.1), pytest.approx(y, abs=0.1))
+    assert read.about["target"] == "mover"
+
+
+def test_a_quiet_dish_turns_slower_and_gets_its_speed_back(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(quiet=True)
+    bench.run(until=lambda task: task.done == 3)
+    slower = dict(bench.state.speeds_lent)
+    assert slower
+    bench.run()
+    bench.step(3.0)
+    assert bench.state.speeds_lent == {}
+    assert [line for line in bench.lines() if line.startswith("mv ")]
+
+
+def test_snr_and_lock_are_read_where_that_is_asked_for(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(MapPlan(178.0, 179.0, 40.0, 40.0, 1.0), details=True)
+    bench.run()
+    assert all(each.snr_db is not None and each.lock is not None for each in bench.read().samples)
+
+
+@pytest.mark.parametrize(("values", "words"), [
+    ({"step_deg": 0.0}, "step is 0"), ({"key": ""}, "key is empty"), ({"order": "zigzag"}, "zigzag"),
+    ({"source": "sdr"}, "no signal source called sdr"), ({"reads": -1}, "reads is -1"),
+    ({"frame": "target"}, "needs a path"),
+])  # fmt: skip
+def test_values_that_make_no_map_are_refused_and_nothing_moves(tmp_path, values, words):
+    bench = made(tmp_path)
+    at = bench.clock.monotonic()
+    with pytest.raises(CommandRefused, match=words):
+        bench.do(BeginTask("map", {**MapRequest(SMALL, "k1").values(), **values}, "you"))
+    bench.step(3.0)
+    assert bench.moves_since(at) == []
+    assert list_maps(bench.path) == []
+
+
+def test_after_a_reboot_of_the_dish_it_waits_until_it_is_homed_and_repeats_its_reference(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(reference=(176.0, 43.0), reference_every_s=3600.0)
+    bench.run(until=lambda task: task.done == 7)
+    bench.device.reboot()
+    bench.step(60.0)
+    assert bench.task.phase is TaskPhase.INTERRUPTED
+    assert "Home it. The map then repeats its reference, and goes on." in bench.task.why
+    done, at = bench.task.done, bench.clock.monotonic()
+    bench.step(60.0)
+    assert bench.moves_since(at) == []
+    bench.do(AcknowledgeFault("you"))
+    bench.do(Release("you"))
+    bench.do(Home("you"), 120.0)
+    assert bench.run().is_done
+    read = bench.read()
+    assert [each.cell for each in read.samples] == list(SMALL.sequence)
+    again = [each.utc for each in read.crosses if each.cross_number == 1]
+    assert read.samples[done - 1].utc < min(again) < max(again) < read.samples[done].utc
+
+
+def test_an_unattended_dish_is_homed_by_itself_after_a_reboot_and_the_map_goes_on(tmp_path):
+    bench = made(tmp_path, station={"home_after_reboot": True})
+    bench.begin(reference=(176.0, 43.0), reference_every_s=3600.0)
+    bench.run(until=lambda task: task.done == 7)
+    bench.device.reboot()
+    ended = bench.run()
+    assert ended.is_done, ended.why
+    assert [each.cell for each in bench.read().samples] == list(SMALL.sequence)
+    assert {each.cross_number for each in bench.read().crosses} >= {0, 1}
+
+
+def test_a_full_disk_ends_it_and_says_what_to_do(tmp_path, monkeypatch):
+    bench = made(tmp_path)
+    bench.begin()
+    bench.run(until=lambda task: task.done == 5)
+
+    def full(path, migrations):
+        raise StoreError(f"{path} cannot be used: database or disk is full")
+
+    monkeypatch.setattr(map_file, "open_database", full)
+    ended = bench.run()
+    assert not ended.is_done
+    assert "disk is full" in ended.why
+    assert "resume the map" in ended.why
+    monkeypatch.undo()
+    bench.begin()
+    assert bench.run().is_done
+    assert [each.cell for each in bench.read().samples] == list(SMALL.sequence)
+
+
+def test_not_now_of_the_owner_leaves_the_dish_alone_until_it_is_over(tmp_path):
+    said = {"status": 0}
+    answer = SimpleNamespace(over=True, first_line="wind")
+
+    def ask(_command):
+        answer.status = said["status"]
+        return answer
+
+    bench = made(tmp_path, station={"not_now": NotNow("asks", every_s=2.0, ask=ask)})
+    bench.begin()
+    bench.run(until=lambda task: task.done == 5)
+    said["status"] = 1
+    bench.step(8.0)
+    done, at = bench.task.done, bench.clock.monotonic()
+    bench.step(20.0)
+    assert (bench.task.done, bench.moves_since(at)) == (done, [])
+    assert bench.task.why == "Not now: wind."
+    said["status"] = 0
+    assert bench.run().is_done
+    assert [each.cell for each in bench.read().samples] == list(SMALL.sequence)
+
+
+def test_whoever_takes_control_gets_the_dish_and_the_map_goes_on_afterwards(tmp_path):
+    bench = made(tmp_path)
+    bench.begin()
+    bench.run(until=lambda task: task.done == 5)
+    bench.do(AcquireLease("rotctld", take_over=True))
+    bench.step(5.0)
+    assert bench.task.phase is TaskPhase.YIELDED
+    bench.do(ReleaseLease("rotctld"))
+    bench.step(2.0)
+    assert bench.task.phase is TaskPhase.COUNTDOWN
+    assert bench.run().is_done
