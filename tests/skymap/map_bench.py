@@ -7,6 +7,7 @@ from birdcage.signal.source_set import SourceSet
 from birdcage.skymap.map_file import list_maps, read_map
 from birdcage.skymap.map_keeper import MapKeeper
 from birdcage.skymap.map_request import MapRequest
+from birdcage.skymap.map_task import map_tasks
 from birdcage.skymap.plan import MapPlan
 from birdcage.station.events import TaskChanged
 from birdcage.station.requests import BeginTask
@@ -28,7 +29,7 @@ class MapBench(Bench):
         super().__init__(address, options, **other)
         self.sources = SourceSet(settings, self.clock, threads=False)
         self.keeper = MapKeeper(self.sources, path, settings, battery)
-        options["tasks"].update({**self.sources.tasks, **self.keeper.tasks})
+        options["tasks"].update({**self.sources.tasks, **map_tasks(self.keeper)})
         self.sources.attach(self.station)
         self.keeper.attach(self.station)
 

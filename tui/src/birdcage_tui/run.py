@@ -22,6 +22,7 @@ from birdcage.base.signals import SignalListener
 from birdcage.setup.first_run import is_first_run
 from birdcage.signal.source_set import SourceSet
 from birdcage.skymap.map_keeper import MapKeeper
+from birdcage.skymap.map_task import map_tasks
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
 from birdcage.station.known import list_firmwares, list_ports
@@ -257,7 +258,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             survey=not options.skip_init,
             identify=name_demo if options.demo else None,
             load=load_again,
-            tasks={**sources.tasks, **maps.tasks},
+            tasks={**sources.tasks, **map_tasks(maps)},
         )
         # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
         # is: nothing else can be done there.

@@ -206,6 +206,7 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     from birdcage.signal.source_set import SourceSet
     from birdcage.skymap.map_keeper import MapKeeper
+    from birdcage.skymap.map_task import map_tasks
     from birdcage.station.build import open_session
 
     known = list_firmwares()
@@ -218,7 +219,7 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     maps = MapKeeper(sources, wanted.paths.signal_recordings, wanted.settings)
     session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey, load=wanted.load, tasks={**sources.tasks, **maps.tasks},
+        clock=clock, survey=survey, load=wanted.load, tasks={**sources.tasks, **map_tasks(maps)},
         on_close=sources.close_meters,
     )  # fmt: skip
     sources.attach(session.station)

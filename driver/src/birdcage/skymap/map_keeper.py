@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from datetime import datetime
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,16 +13,14 @@ from birdcage.signal.ear import TaskEar
 from birdcage.signal.source import Scale, SignalFacts
 from birdcage.skymap.battery import Battery, read_battery
 from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
-from birdcage.skymap.map_request import KIND
+from birdcage.skymap.map_request import MapRequest
 from birdcage.skymap.sky_map import MapSample
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
     from birdcage.signal.source_set import SourceSet
-    from birdcage.skymap.map_task import MapTask
     from birdcage.station.access import StationAccess
     from birdcage.station.state import StationState
-    from birdcage.station.task import Task
 
 LOW_PERCENT = 10.0
 """A map ends while the battery can still park the dish."""
@@ -77,9 +74,10 @@ class KeptMap:
             self._writer.add(sample, self._settings())
 
     def end(self, utc: datetime) -> None:
-        """Every direction that can be heard was heard."""
+        """Every direction that can be heard was heard: wait until that is on the disk."""
         if self._writer is not None:
             self._writer.end(utc)
+            self._writer.flush()
 
     def close(self) -> None:
         """Write what is waiting; nothing is added any more."""
@@ -99,7 +97,7 @@ def _told(name: str, value: object) -> str:
 
 
 class MapKeeper:
-    """Of one station: its `tasks` are what the station is given, `attach` comes once that is there."""
+    """Of one station. It makes the tasks that the station is given, so `attach` comes once that is there."""
 
     def __init__(
         self, sources: SourceSet | None = None, path: Path | None = None, settings: Settings | None = None,
@@ -114,13 +112,6 @@ class MapKeeper:
         self._station = station
 
     @property
-    def tasks(self) -> Mapping[str, Callable[..., Task]]:
-        """What the station is given."""
-        from birdcage.skymap.map_task import MapTask
-
-        return {KIND: partial(MapTask, keeper=self)}
-
-    @property
     def _state(self) -> StationState:
         assert self._station is not None, "it was attached"
         return self._station.state
@@ -133,7 +124,7 @@ class MapKeeper:
 
     @property
     def park(self) -> tuple[float, float] | None:
-        """Where the dish is parked, true azimuth and elevation; None where nobody has said so."""
+        """Where the dish is parked, true azimuth and elevation; None where that is not set."""
         tracking = None if self._settings is None else self._settings.tracking
         if tracking is None or tracking.park_az_deg is None or tracking.park_el_deg is None:
             return None
@@ -145,26 +136,26 @@ class MapKeeper:
         axes = () if dish is None else (dish.azimuth, dish.elevation)
         return {axis.index: axis.speed_deg_s * part for axis in axes if dish and speed_of(axis.name) in dish.features}
 
-    def open(self, task: MapTask) -> KeptMap:
-        """Return the map of a task as the file has it. TypeError, which refuses the task: its source is unknown."""
+    def open(self, request: MapRequest) -> KeptMap:
+        """Return the map as the file has it. TypeError, which refuses the task: its source is unknown."""
         assert self._sources is not None, "a station that makes maps has sources"
         assert self._station is not None, "it was attached"
-        if task.quiet and not self.speeds_deg_s(1.0):
+        if request.quiet and not self.speeds_deg_s(1.0):
             raise TypeError("this dish can't be told to turn slower. Leave quiet out")
-        ear = self._sources.ear(task.source)
-        facts = self._sources.get(task.source or self._sources.chosen).facts
+        ear = self._sources.ear(request.source)
+        facts = self._sources.get(request.source or self._sources.chosen).facts
         new = NewMap(
-            task.key, task.plan, facts.id, facts.unit, facts.scale is Scale.LOG, self._state.demo or facts.demo,
-            self._about(task, facts),
+            request.key, request.plan, facts.id, facts.unit, facts.scale is Scale.LOG, self._state.demo or facts.demo,
+            self._about(request, facts),
         )  # fmt: skip
         return KeptMap(new, self._path, ear, facts, self._station)
 
-    def _about(self, task: MapTask, facts: SignalFacts) -> Mapping[str, object]:
+    def _about(self, request: MapRequest, facts: SignalFacts) -> Mapping[str, object]:
         state, settings = self._state, self._settings
         dish, beam, alignment = state.dish, state.beam, state.alignment
         told: dict[str, object] = {
             "dish": "" if dish is None else dish.name, "firmware": self._firmware, "feed": state.feed_name,
-            "source_label": facts.label, "target": task.target, "az_offset_deg": alignment.az_offset_deg,
+            "source_label": facts.label, "target": request.target, "az_offset_deg": alignment.az_offset_deg,
             "el_offset_deg": alignment.el_offset_deg, "ca_deg": alignment.ca_deg, "an_deg": alignment.an_deg,
             "aw_deg": alignment.aw_deg,
         }  # fmt: skip
@@ -179,10 +170,10 @@ class MapKeeper:
                 }  # fmt: skip
             if freq_hz is not None:
                 told["freq_hz"] = freq_hz
-        if task.reference_every_s:
-            told |= {name: getattr(task, name) for name in
-                     ("reference_az_deg", "reference_el_deg", "reference_every_s")}  # fmt: skip
-        return told | {"reads": task.reads, "details": task.details, "quiet": task.quiet}
+        wanted = request.values()
+        for name in ("reads", "details", "quiet", "reference_az_deg", "reference_el_deg", "reference_every_s"):
+            told[name] = wanted[name]
+        return told
 
     @property
     def _firmware(self) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Generator, Mapping
+from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from functools import partial
 from statistics import fmean, stdev
 from typing import TYPE_CHECKING
 
@@ -18,7 +19,7 @@ from birdcage.signal.listen import check_number
 from birdcage.signal.source_path import SourcePath
 from birdcage.skymap.drift import Drift, drift_between, fit_cross
 from birdcage.skymap.map_keeper import LOW_PERCENT, KeptMap, MapKeeper
-from birdcage.skymap.map_request import CROSS_POINTS, KIND
+from birdcage.skymap.map_request import CROSS_POINTS, KIND, MapRequest
 from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.skymap.sky_map import MapSample
 from birdcage.station.task import Report, Task
@@ -112,7 +113,13 @@ class MapTask(Task):
         if follows != bool(self.path):
             raise TypeError("a map around a moving target needs a path, and no other one has it")
         self._path = SourcePath.of(self.path) if follows else None
-        self._kept = self.keeper.open(self)
+        self._kept = self.keeper.open(
+            MapRequest(
+                self.plan, self.key, self.target, self.path, self.source, self.reads, self.details, self.start_s,
+                self.until_s, (self.reference_az_deg, self.reference_el_deg) if self.reference_every_s else None,
+                self.reference_every_s, self.quiet,
+            )
+        )  # fmt: skip
         self._heard = set(self._kept.heard)
 
     @property
@@ -153,7 +160,8 @@ class MapTask(Task):
                 now_s = (yield Wait(0.0)).now_s
             if self.reference_every_s and self._crosses:
                 yield from self._cross()
-        self._map.end(datetime.fromtimestamp(now_s, UTC))
+        self._map.end(_utc(now_s))
+        self._check_disk()
 
     def _wait_for_start(self, now_s: float, *, asked: bool) -> Generator[Step, StepResult, float]:
         """Wait until it is time, with a countdown where the person who asked for it may have gone."""
@@ -179,8 +187,7 @@ class MapTask(Task):
 
     def _look_around(self, now_s: float) -> Steps:
         """See to what has come up: a disk that is full, a battery that is empty, a reference that is due."""
-        if problem := self._map.problem:
-            raise BirdcageError(problem, reason=Reason.FAILED)
+        self._check_disk()
         if now_s >= self._looked_s + LOOK_S:
             self._looked_s = now_s
             battery = self.keeper.battery()
@@ -190,6 +197,10 @@ class MapTask(Task):
             self._crossed_s = now_s
             yield from self._set_up()
             yield from self._cross()
+
+    def _check_disk(self) -> None:
+        if problem := self._map.problem:
+            raise BirdcageError(problem, reason=Reason.FAILED)
 
     def _shelter(self, percent: float) -> Steps:
         """Park while there is power to do so, and end."""
@@ -322,3 +333,8 @@ def _utc(at_s: float) -> datetime:
 
 def _clock(at_s: float) -> str:
     return f"{_utc(at_s):%H:%M} UTC"
+
+
+def map_tasks(keeper: MapKeeper) -> Mapping[str, Callable[..., Task]]:
+    """Return what a station is given, so that faces may ask for maps (`BeginTask`)."""
+    return {KIND: partial(MapTask, keeper=keeper)}

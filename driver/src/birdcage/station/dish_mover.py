@@ -101,7 +101,7 @@ class DishMover(QueuedMover):
         self._tell_progress(job, pointing, eta - self._store.clock.monotonic())
 
     def _must_rest(self) -> bool:
-        """Return whether it should be there by now, as far as its speeds are known."""
+        """Return whether it must be there, by speeds that are known."""
         motion, clock = self._antenna.motion, self._store.clock
         return motion is not None and motion.eta_known and clock.monotonic() >= motion.eta(clock.rate)
 
