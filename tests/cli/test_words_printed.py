@@ -21,6 +21,7 @@ WITHOUT_A_DISH = (
     ("passes", "iss", *HERE), ("passes", "nosuch", *HERE), ("passes", *HERE, "--hours", 0), ("passes", "--at", "never"),
     ("downlinks",), ("downlinks", "iss"), ("downlinks", "nosuch"), ("if", "12.5e9"), ("if", "abc"), ("if", "1"),
     ("craft", "up"), ("craft", "search", "moon"), ("hold",), ("release",), ("calibrate", "list"), ("nosuch",),
+    ("maps",), ("export", "7"), ("export", "nosuch"), ("export", "1", "--as", "jpeg"),
     ("move",), ("move", "--az", "nan", "--el", 45), ("move", "--az", 10), ("track", "nosuch", "--plan"),
     ("track", "iss", "--plan", *HERE), ("autotrack", "--plan"), ("pos", "--firmware", "nosuch"),
     ("pos", "--baud", "fast"), ("--config", "no.toml", "pos"), ("sim", "--speed", 0), ("sim", "nosuch"),

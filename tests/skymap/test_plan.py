@@ -56,3 +56,13 @@ def test_what_a_file_keeps_of_it_makes_the_same_plan():
     assert MapPlan.of(plan.values()) == plan
     with pytest.raises(ValueError, match="tells no region"):
         MapPlan.of({"x_low_deg": 1.0})
+
+
+def test_rows_may_lie_closer_than_columns():
+    plan = MapPlan(90.0, 92.0, 5.0, 6.0, 1.0, MapOrder.ROWS, y_step_deg=0.2)
+    assert (plan.columns, plan.rows) == (3, 6)
+    assert plan.at(4) == (91.0, 5.2)
+    assert MapPlan.of(plan.values()) == plan
+    assert "y_step_deg" not in MapPlan(90.0, 92.0, 5.0, 6.0, 1.0).values()
+    with pytest.raises(ValueError, match="The step is 0°"):
+        MapPlan(90.0, 92.0, 5.0, 6.0, 1.0, y_step_deg=0.0)

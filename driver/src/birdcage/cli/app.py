@@ -59,6 +59,7 @@ COMMANDS = {
     "acquire": "Find a satellite near where it should be, say which it is, and set north by it.",
     "recordings": "List recordings of the signal, and print one as CSV.",
     "maps": "List maps of the sky, and see what one teaches.",
+    "export": "Write maps of the sky into files for other programs.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",

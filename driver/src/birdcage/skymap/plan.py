@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 
-MOST_CELLS = 250_000
+MOST_CELLS = 300_000
 STRIDES = (8, 4, 2, 1)
 """From coarse to fine: a pass goes through every so many-th column and row that no pass before it has had."""
 FEWEST_ACROSS = 4
@@ -50,11 +50,14 @@ class MapPlan:
     step_deg: float
     order: MapOrder = MapOrder.COARSE
     frame: MapFrame = MapFrame.AZEL
+    y_step_deg: float | None = None
+    """From row to row, where that differs from the step between columns: other programs' maps have such."""
 
     def __post_init__(self) -> None:
         """Raise ValueError, with a sentence, for what is no region, or one with too many directions."""
-        if not 0.0 < self.step_deg <= 90.0:
-            raise ValueError(f"The step is {self.step_deg:g}°. Give more than 0, and at most 90.")
+        for step_deg in (self.step_deg, self.row_step_deg):
+            if not 0.0 < step_deg <= 90.0:
+                raise ValueError(f"The step is {step_deg:g}°. Give more than 0, and at most 90.")
         if self.x_high_deg < self.x_low_deg or self.y_high_deg < self.y_low_deg:
             raise ValueError("The region ends before it begins. Give the lower angle first: 160:220.")
         if self.x_high_deg - self.x_low_deg > 360.0:
@@ -65,6 +68,11 @@ class MapPlan:
             raise ValueError(f"That makes {self.cells} directions. At most {MOST_CELLS} fit: give a longer step.")
 
     @property
+    def row_step_deg(self) -> float:
+        """From row to row."""
+        return self.step_deg if self.y_step_deg is None else self.y_step_deg
+
+    @property
     def columns(self) -> int:
         """How many directions lie side by side."""
         return math.floor((self.x_high_deg - self.x_low_deg) / self.step_deg + EDGE) + 1
@@ -72,7 +80,7 @@ class MapPlan:
     @property
     def rows(self) -> int:
         """How many lie above one another."""
-        return math.floor((self.y_high_deg - self.y_low_deg) / self.step_deg + EDGE) + 1
+        return math.floor((self.y_high_deg - self.y_low_deg) / self.row_step_deg + EDGE) + 1
 
     @property
     def cells(self) -> int:
@@ -82,7 +90,7 @@ class MapPlan:
     def at(self, cell: int) -> tuple[float, float]:
         """Return where a cell is, in degrees along both axes."""
         row, column = divmod(cell, self.columns)
-        return round(self.x_low_deg + column * self.step_deg, 9), round(self.y_low_deg + row * self.step_deg, 9)
+        return round(self.x_low_deg + column * self.step_deg, 9), round(self.y_low_deg + row * self.row_step_deg, 9)
 
     @cached_property
     def sequence(self) -> tuple[int, ...]:
@@ -131,7 +139,7 @@ class MapPlan:
         return {
             "x_low_deg": self.x_low_deg, "x_high_deg": self.x_high_deg, "y_low_deg": self.y_low_deg,
             "y_high_deg": self.y_high_deg, "step_deg": self.step_deg, "order": self.order.value,
-            "frame": self.frame.value,
+            "frame": self.frame.value, **({} if self.y_step_deg is None else {"y_step_deg": self.y_step_deg}),
         }  # fmt: skip
 
     @classmethod

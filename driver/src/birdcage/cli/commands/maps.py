@@ -24,7 +24,8 @@ def command(context: click.Context) -> None:
 
 
 def _list() -> None:
-    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.cli.say import say, tell_json
+    from birdcage.cli.table import tell_table
     from birdcage.skymap.map_file import list_maps
 
     maps = list_maps(find_paths().signal_recordings)
@@ -33,11 +34,22 @@ def _list() -> None:
         return
     if not maps:
         say("No map was made yet.")
-    for each in maps:
-        span = "" if each.low is None or each.high is None else f"  {each.low:.4g} to {each.high:.4g} {each.unit}"
-        demo = "  DEMO" if each.demo else ""
-        heard = f"{each.heard} of {each.plan.cells}"
-        tell(f"{each.number:4}  {each.begun:%Y-%m-%d %H:%M}Z  {each.source:10} {heard:>13}{span}{demo}")
+        return
+    tell_table(("map", "begun", "region", "step", "heard", "source", "level", ""), [_row(each) for each in maps], "r")
+
+
+def _row(head: MapHead) -> tuple[str, ...]:
+    from birdcage.skymap.plan import MapFrame
+
+    plan = head.plan
+    region = f"az {plan.x_low_deg:g}:{plan.x_high_deg:g} el {plan.y_low_deg:g}:{plan.y_high_deg:g}"
+    if plan.frame is MapFrame.TARGET:
+        region = f"around {head.about.get('target') or 'a target'} ±{max(plan.x_high_deg, plan.y_high_deg):g}°"
+    level = "-" if head.low is None or head.high is None else f"{head.low:.4g} to {head.high:.4g} {head.unit}"
+    return (
+        str(head.number), f"{head.begun:%Y-%m-%d %H:%M:%S}Z", region, f"{plan.step_deg:g}°",
+        f"{head.heard} of {plan.cells}", head.source, level, "DEMO" if head.demo else "",
+    )  # fmt: skip
 
 
 def _values(head: MapHead) -> dict[str, object]:
@@ -46,7 +58,7 @@ def _values(head: MapHead) -> dict[str, object]:
     return {
         "number": head.number, "begun": iso(head.begun), "ended": iso(head.ended), **head.plan.values(),
         "source": head.source, "unit": head.unit, "demo": head.demo, "heard": head.heard, "of": head.plan.cells,
-        "low": head.low, "high": head.high,
+        "low": head.low, "high": head.high, "target": head.about.get("target"),
     }  # fmt: skip
 
 
