@@ -6,8 +6,10 @@ import pytest
 from birdcage.base.config import load
 from birdcage.base.config.edit import edit
 from birdcage.base.paths import Paths
+from birdcage.sim.settings import SimSettings
 from birdcage.skymap.map_file import MapWriter, NewMap
 
+from tests.skymap.suns import around, simulated
 from tests.skymap.test_horizon_lesson import KNOWN, TREES, counts
 
 
@@ -92,3 +94,51 @@ def test_the_beam_of_the_settings_counts_for_a_map_that_tells_none(run):
     number = keep(counts(TREES), beam_az_deg=None)
     assert "No place is known" in run("maps", "horizon", number).stderr
     assert KNOWN["beam_az_deg"] == 6.4
+
+
+@pytest.fixture
+def sun():
+    return keep(simulated(SimSettings, around(12.0, 12.0, 1.5)))
+
+
+def test_the_beam_is_told_and_kept_only_when_asked(run, sun, as_json):
+    told = as_json(run("maps", "beam", sun, "--json"))
+    assert told["beam_az_deg"] == pytest.approx(5.7, rel=0.03)
+    assert told["system_span_k"][0] < told["system_k"] < told["system_span_k"][1]
+    assert told["demo"] is True
+    feed = load(Paths.default().config_file).active_feed
+    assert (feed.beam_az_deg, feed.system_k) == (None, 100.0)
+    said = run("maps", "beam", sun)
+    assert "DEMO" in said.stderr
+    assert "For a quiet Sun of 8934 K at 12.45 GHz" in said.stdout
+    said = run("maps", "beam", sun, "--keep")
+    assert "Kept with the feed stock-ku: beam 5.8° x 5.7°, system temperature 78 K." in said.stderr
+    feed = load(Paths.default().config_file).active_feed
+    assert (feed.beam_az_deg, feed.beam_origin) == (round(told["beam_az_deg"], 2), "scan")
+    assert feed.system_k == pytest.approx(told["system_k"])
+    assert feed.freq_min_hz == 12.2e9
+
+
+def test_the_beam_is_kept_for_the_middle_of_the_feeds_band(run, as_json):
+    edit(Paths.default().config_file, {"feed.mine.freq_min_hz": 10.7e9, "feed.mine.freq_max_hz": 11.7e9})
+    number = keep(simulated(SimSettings, around(12.0, 12.0, 1.5)), feed="mine")
+    told = as_json(run("maps", "beam", number, "--json", "--keep"))
+    kept = load(Paths.default().config_file).feeds["mine"]
+    assert kept.beam_az_deg == pytest.approx(told["beam_az_deg"] * 12.45 / 11.2, abs=0.01)
+
+
+def test_a_beam_of_an_unknown_feed_or_of_a_few_noisy_directions_is_not_kept(run):
+    gone = keep(simulated(SimSettings, around(12.0, 12.0, 1.5)), "k2", feed="gone")
+    said = run("maps", "beam", gone, "--keep")
+    assert (said.exit_code, "the feed gone" in said.stderr) == (2, True)
+    noisy = keep(simulated(SimSettings, around(12.0, 12.0, 2.0), noise_db=0.25), "k3")
+    said = run("maps", "beam", noisy, "--keep")
+    assert (said.exit_code, "at most 10 % is kept" in said.stderr) == (2, True)
+    assert load(Paths.default().config_file).active_feed.beam_az_deg is None
+
+
+def test_counts_need_two_known_levels(run):
+    number = keep(counts(""))
+    said = run("maps", "beam", number)
+    assert said.exit_code == 1
+    assert "counts are no power" in said.stderr

@@ -30,6 +30,7 @@ class MapMeant:
 
 def map_meant(number: int) -> MapMeant:
     """Return the map of that number. StoreError where there is none."""
+    from birdcage.cli.say import say
     from birdcage.signal.level_scale import find_scale, load_scales
     from birdcage.sky.observer import Observer
     from birdcage.skymap.map_file import read_map
@@ -40,6 +41,8 @@ def map_meant(number: int) -> MapMeant:
     observer = None
     if place.latitude_deg is not None and place.longitude_deg is not None:
         observer = Observer(place.latitude_deg, place.longitude_deg, place.height_m)
+    if sky_map.demo:
+        say("DEMO: this map is of a simulated sky.")
     feed = str(sky_map.about.get("feed") or active)
     scale = find_scale(load_scales(wants.paths.known_levels).entries, sky_map.source, feed)
     return MapMeant(sky_map, wants, observer, scale, feed)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.cli.commands.maps_beam import beam
 from birdcage.cli.commands.maps_horizon import horizon
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import find_paths, flags, global_options
@@ -63,3 +64,4 @@ def _values(head: MapHead) -> dict[str, object]:
 
 
 command.add_command(horizon)
+command.add_command(beam)
