@@ -98,10 +98,10 @@ def test_a_map_that_was_retuned_in_the_middle_refuses_too():
 
 def test_a_measured_voltage_may_differ_a_little_and_no_more():
     def fed(number, volts):
-        return one(number, settings=({"lnb_volts": volts},))
+        return one(number, settings=({"lnb_supply": volts},))
 
     assert mean_of([fed(1, "13.1 V"), fed(2, "13.4 V")]).is_complete
-    with pytest.raises(MapsDiffer, match=r"`lnb_volts` differs: 13\.1 V on Map 1, 18\.2 V on Map 2"):
+    with pytest.raises(MapsDiffer, match=r"`lnb_supply` differs: 13\.1 V on Map 1, 18\.2 V on Map 2"):
         mean_of([fed(1, "13.1 V"), fed(2, "18.2 V")])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import sys
 from dataclasses import replace
 from datetime import UTC, datetime
 
@@ -148,3 +149,31 @@ def test_with_the_place_blurred_no_file_tells_it(tmp_path, frame):
             assert b"# latitude_deg: 52.0\n# longitude_deg: 4.0\n" in told
             assert b"rounded to whole degrees" in told
             assert (b"az_deg" in told) is (frame is MapFrame.AZEL)
+
+
+@pytest.mark.parametrize(
+    ("hidden", "kinds", "left_out", "words"),
+    [
+        (("PIL", "astropy"), ("csv", "text"), ["png", "fits"], "No PNG and no FITS without Pillow and astropy. "),
+        (("PIL",), ("csv", "fits", "text"), ["png"], "No PNG without Pillow. "),
+        (("astropy",), ("csv", "png", "text"), ["fits"], "No FITS without astropy. "),
+    ],
+)
+def test_without_the_extra_all_else_is_written_and_one_line_says_how_to_get_it(
+    tmp_path, monkeypatch, hidden, kinds, left_out, words
+):
+    for module in [each for each in sys.modules if each.partition(".")[0] in hidden]:
+        monkeypatch.delitem(sys.modules, module)
+    for module in hidden:
+        monkeypatch.setitem(sys.modules, module, None)
+    done = write_files(a_map(), tmp_path)
+    assert {each.suffix for each in done.paths} == {f".{'txt' if kind == 'text' else kind}" for kind in kinds}
+    assert done.left_out == left_out
+    assert done.notes == [f"{words}`python -m pip install pillow astropy` brings what pictures and FITS files need."]
+
+
+def test_all_kinds_are_written_with_the_extra(tmp_path):
+    done = write_files(a_map(), tmp_path)
+    assert [each.suffix for each in done.paths] == [".csv", ".png", ".fits", ".txt", ".txt", ".txt"]
+    assert (done.notes, done.left_out) == ([], [])
+    assert write_files(a_map(), tmp_path).kept == [], "the same map makes the same files"

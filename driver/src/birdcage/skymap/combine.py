@@ -12,7 +12,7 @@ from birdcage.skymap.sky_map import MapSample, SkyMap
 
 HELD = ("dish", "feed", "target", "freq_hz")
 """What is known about a map, and has to be the same."""
-VOLTS, VOLTS_OFF = "volt", 2.0
+VOLTS, VOLTS_OFF = " V", 2.0
 """A supply of 13 V is never exactly that: what is measured of it may differ by so much. 18 V is another one."""
 
 
@@ -119,7 +119,7 @@ def _settings_of(maps: Iterable[SkyMap]) -> Mapping[str, str]:
                 first = each, told
             for name in sorted({*first[1], *told}):
                 left, right = first[1].get(name), told.get(name)
-                if not _alike(name, left, right):
+                if not _alike(left, right):
                     raise MapsDiffer(
                         f"The receiver's `{name}` differs: {_said(left)} on {_called(first[0])}, "
                         f"{_said(right)} on {_called(each)}."
@@ -127,13 +127,13 @@ def _settings_of(maps: Iterable[SkyMap]) -> Mapping[str, str]:
     return {} if first is None else first[1]
 
 
-def _alike(name: str, left: str | None, right: str | None) -> bool:
-    if left == right or VOLTS not in name:
+def _alike(left: str | None, right: str | None) -> bool:
+    if left is None or right is None or not left.endswith(VOLTS) or not right.endswith(VOLTS):
         return left == right
     try:
-        return abs(float(str(left).split()[0]) - float(str(right).split()[0])) < VOLTS_OFF
-    except (ValueError, IndexError):
-        return False
+        return abs(float(left.removesuffix(VOLTS)) - float(right.removesuffix(VOLTS))) < VOLTS_OFF
+    except ValueError:
+        return left == right
 
 
 def _pooled(samples: Sequence[MapSample]) -> MapSample:

@@ -18,7 +18,7 @@ from birdcage.skymap.place_blur import blurred, is_blurred, made_from
 from birdcage.skymap.raw_text import NotInThisForm, as_lines, as_matrix
 from birdcage.skymap.sky_map import SkyMap
 
-KINDS = ("csv", "text")
+KINDS = ("csv", "png", "fits", "text")
 NEEDS = {"png": ("PIL", "Pillow"), "fits": ("astropy", "astropy")}
 """The module that a kind needs, and the package that holds it: both are the extra `science`."""
 HOW_TO_GET = "`python -m pip install pillow astropy` brings what pictures and FITS files need."
@@ -110,7 +110,19 @@ def _csv(sky_map: SkyMap) -> bytes:
     return "".join(f"{line}\n" for line in csv_lines(sky_map)).encode()
 
 
-_MADE: Mapping[str, Callable[[SkyMap], bytes]] = {"csv": _csv}
+def _fits(sky_map: SkyMap) -> bytes:
+    from birdcage.skymap.fits_file import as_fits
+
+    return as_fits(sky_map)
+
+
+def _png(sky_map: SkyMap) -> bytes:
+    from birdcage.skymap.picture import as_png
+
+    return as_png(sky_map)
+
+
+_MADE: Mapping[str, Callable[[SkyMap], bytes]] = {"csv": _csv, "png": _png, "fits": _fits}
 
 
 def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool) -> bool:
