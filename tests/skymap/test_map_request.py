@@ -52,7 +52,7 @@ def test_the_estimate_goes_by_the_speeds_of_the_dish_and_what_is_left():
     assert slow.seconds > 2.0 * quick.seconds
     half = estimate(MapRequest(PLAN), state(), dwell_s=None, heard=PLAN.sequence[:1000])
     assert half.directions == 891
-    assert half.words == "891 directions, about 12 min"
+    assert half.words == "891 directions, about 10 min"
     rows = estimate(MapRequest(replace(PLAN, order=MapOrder.ROWS)), state(), dwell_s=None)
     assert rows.seconds < quick.seconds
     crosses = estimate(MapRequest(PLAN, reference=(170.0, 40.0), reference_every_s=600.0), state(), dwell_s=None)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from types import SimpleNamespace
 
@@ -41,17 +40,77 @@ def test_every_direction_is_heard_once_where_the_dish_rests(tmp_path):
     assert bench.state.holder is None
 
 
-def test_a_direction_costs_nine_lines_and_the_dish_is_looked_at_before_it_is_heard(tmp_path):
-    bench = made(tmp_path, "g2?seed=1&latency_min=0.02&latency_max=0.1")
-    bench.begin(MapPlan(170.0, 190.0, 40.0, 40.0, 1.0, MapOrder.ROWS))
+SLOW_LINE = "latency_min=0.02&latency_max=0.1"
+ONE = ["", "q", "dvb", "rssi 10", "", "q", "mot", "a"]
+"""What follows a move: to the tuner and back, and the look that shows where the dish rests."""
+
+
+def test_a_direction_costs_nine_lines_and_the_dish_is_seen_there_before_it_goes_on(tmp_path):
+    bench = made(tmp_path, f"g2?seed=1&{SLOW_LINE}")
+    bench.begin(MapPlan(170.0, 197.4, 40.0, 40.0, 1.37, MapOrder.ROWS))
     bench.run(until=lambda task: task.done == 1)
-    before = len(bench.lines())
-    bench.run(until=lambda task: task.done == 21)
-    lines = bench.lines()[before:]
-    assert len(lines) <= 9.5 * 20
-    for move, after in itertools.pairwise(lines):
-        if move.startswith("a 0 "):
-            assert after == "a"
+    bench.run(until=lambda task: task.done == 20)
+    text = "\n".join(bench.lines())
+    moves = [part.splitlines()[1:] for part in text.split("\na 0 ")[1:]]
+    assert len(moves) >= 19
+    assert [each for each in moves[2:18] if each != ONE] == []
+
+
+def test_the_tuner_is_not_read_before_the_dish_must_rest(tmp_path):
+    bench = made(tmp_path, "g2?seed=1&latency_min=0.001&latency_max=0.002")
+    bench.begin(MapPlan(170.0, 197.4, 40.0, 40.0, 1.37, MapOrder.ROWS))
+    bench.run(until=lambda task: task.done == 15)
+    told = bench.received()
+    gaps = [
+        next(at for at, line in told[index:] if line.startswith("rssi")) - begun
+        for index, (begun, line) in enumerate(told)
+        if line.startswith("a 0 ") and index > 60
+    ]
+    assert len(gaps) > 5
+    lasts_s = 2.0 * math.sqrt(1.37 / bench.state.dish.azimuth.acceleration_deg_s2)
+    assert min(gaps) > lasts_s - 0.003  # the way to the menu may be quicker than it was of late
+
+
+def test_what_is_heard_of_a_dish_that_comes_later_than_it_must_is_heard_again_at_rest(tmp_path):
+    bench = made(tmp_path)
+    bench.sim.dish.axes[0].data.max_rate_deg_s = 2.0  # it has told 65, and does not keep to that
+    bench.begin(MapPlan(170.0, 174.1, 40.0, 40.0, 1.01, MapOrder.ROWS))
+    assert bench.run(120.0).is_done
+    samples = bench.read().samples
+    assert [each.az_deg for each in samples] == pytest.approx([170.0, 171.01, 172.02, 173.03, 174.04], abs=0.08)
+    told = bench.received()
+    moves = [(at, float(line[4:])) for at, line in told if line.startswith("a 0 ")]
+    reads = [at for at, line in told if line.startswith("rssi")]
+    assert len(reads) == 2 * 4 + 1
+    offset_s = bench.clock.utc().timestamp() - bench.clock.monotonic()
+    for each in samples[1:]:
+        (sent,) = [at for at, deg in moves if abs(deg - each.az_deg) < 0.1]
+        assert each.utc.timestamp() - offset_s > sent + 1.01 / 2.0
+
+
+@pytest.mark.parametrize("at", ["dvb", "rssi 10", "q"])
+def test_stop_on_the_way_to_the_tuner_stops_the_dish(tmp_path, at):
+    bench = made(tmp_path, f"g2?seed=1&{SLOW_LINE}")
+    bench.begin(MapPlan(120.0, 240.0, 40.0, 40.0, 8.0, MapOrder.ROWS))
+    bench.run(until=lambda task: task.done == 3)
+    write, stopped = bench.sim.write, []
+
+    def writing(data):
+        write(data)
+        if data == f"{at}\r".encode() and not stopped and bench.state.motion is not None:
+            stopped.append(bench.clock.monotonic())
+            bench.station.stop("you")
+
+    bench.sim.write = writing
+    bench.run()
+    bench.step(3.0)
+    assert stopped
+    assert bench.state.held is not None
+    assert bench.state.last_stop.confirmed is True
+    to = {line for line in bench.moves_since(stopped[0]) if line.startswith("a 0")}
+    before = [line for when, line in bench.received() if line.startswith("a 0") and when < stopped[0]][-1]
+    assert all(abs(float(line[4:]) - float(before[4:])) < 8.0 for line in to), "no new direction"
+    assert bench.heard()[0][1] == bench.task.done
 
 
 def test_stop_ends_it_and_it_goes_on_at_the_next_direction(tmp_path):
@@ -100,10 +159,11 @@ def test_an_unplugged_cable_interrupts_it_and_release_lets_it_go_on(tmp_path):
     bench.device.unplug()
     bench.step(5.0)
     assert bench.task.phase is TaskPhase.INTERRUPTED
+    done = bench.task.done
     bench.device.plug()
     bench.step(20.0)
     assert bench.state.held is not None
-    assert bench.task.done == 7
+    assert bench.task.done == done
     bench.do(Release("you"))
     assert bench.run().is_done
     assert [each.cell for each in bench.read().samples] == list(SMALL.sequence)
@@ -137,7 +197,7 @@ def test_a_map_waits_for_its_time_and_counts_down_before_the_dish_moves(tmp_path
 
 def test_a_reference_cross_comes_first_every_so_often_and_last(tmp_path):
     bench = made(tmp_path)
-    bench.begin(reference=(176.0, 43.0), reference_every_s=15.0)
+    bench.begin(reference=(176.0, 43.0), reference_every_s=8.0)
     ended = bench.run()
     assert ended.is_done, ended.why
     crosses = bench.read().crosses

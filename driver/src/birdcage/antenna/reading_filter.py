@@ -29,6 +29,11 @@ LEAST_DAMAGE_DEG = 0.5
 """A pair that is off by less than this is taken: so near a dish goes by itself, a step of its target at a time."""
 
 
+CLEAN_READS = 100
+"""After so many readings in a row that no other one contradicted, one that is as expected is believed at once, even if
+a changed digit would make it of the one before: a move by whole degrees does that, too."""
+
+
 @dataclass(frozen=True, slots=True)
 class AngleSpan:
     """Where an axis may be when it is read, in degrees that may go on beyond 0..360."""
@@ -73,6 +78,8 @@ class ReadingFilter:
         self._last: _Seen | None = None
         self._taken: _Seen | None = None
         """The last reading that was believed, also when readings did not fit together since."""
+        self._clean = 0
+        """How many readings in a row were contradicted by none."""
         self._astray: object = None
         """The motion that the dish was seen not to follow."""
         self.foresee: Foresight = lambda _position, _at, _now: None
@@ -81,6 +88,7 @@ class ReadingFilter:
         """Return what `once` reads, or reads again. NoReply (`garbage`) when no two readings in a row agree."""
         now = clock.monotonic
         seen = _Seen(once(), now())
+        self._clean += 1
         expected = self._expected(self._last, seen.at)
         if expected is not None:
             rates = self._fits(seen, expected)
@@ -100,7 +108,7 @@ class ReadingFilter:
             elif even and self._can_do(before, seen, clock.rate):
                 return self._take_agreed(before, seen)
             else:
-                doubted = False
+                doubted, self._clean = False, 0
             earlier = before
         self._last = None
         raise NoReply(
@@ -122,9 +130,10 @@ class ReadingFilter:
         ]
         rates = tuple(span.rate_deg_s for span in spans if span is not None)
         last = self._last
-        if len(rates) < len(angles) or (last is not None and _differs_by_a_digit(last.position, seen.position)):
+        if len(rates) < len(angles):
             return None
-        return rates
+        doubted = last is not None and self._clean <= CLEAN_READS and _differs_by_a_digit(last.position, seen.position)
+        return None if doubted else rates
 
     def _goes_on(self, seen: _Seen) -> bool:
         return self._last is not None and _keeps(self._last, self._last.rates, seen)

@@ -57,6 +57,7 @@ COMMANDS = {
     "drift": "Let a source drift through the beam, and measure the beam.",
     "step-track": "Stay on an inclined satellite by its signal.",
     "acquire": "Find a satellite near where it should be, say which it is, and set north by it.",
+    "scan": "Make a map of the sky.",
     "recordings": "List recordings of the signal, and print one as CSV.",
     "maps": "List maps of the sky, and see what one teaches.",
     "export": "Write maps of the sky into files for other programs.",

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from birdcage.base.errors import BirdcageError
 from birdcage.skymap.place_blur import made_from
-from birdcage.skymap.sky_map import MapSample, SkyMap
+from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample, SkyMap
 
 HELD = ("dish", "feed", "target", "freq_hz")
 """What is known about a map, and has to be the same."""
@@ -119,7 +119,7 @@ def _settings_of(maps: Iterable[SkyMap]) -> Mapping[str, str]:
                 first = each, told
             for name in sorted({*first[1], *told}):
                 left, right = first[1].get(name), told.get(name)
-                if not _alike(left, right):
+                if name not in MEASURED_SETTINGS and not _alike(left, right):
                     raise MapsDiffer(
                         f"The receiver's `{name}` differs: {_said(left)} on {_called(first[0])}, "
                         f"{_said(right)} on {_called(each)}."

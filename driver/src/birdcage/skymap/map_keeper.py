@@ -14,7 +14,7 @@ from birdcage.signal.source import Scale, SignalFacts
 from birdcage.skymap.battery import Battery, read_battery
 from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
 from birdcage.skymap.map_request import MapRequest
-from birdcage.skymap.sky_map import MapSample
+from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -24,10 +24,8 @@ if TYPE_CHECKING:
 
 LOW_PERCENT = 10.0
 """A map ends while the battery can still park the dish."""
-SETTINGS = (TRANSPONDER, "frequency", "symbol_rate", "polarisation", "lnb_supply", "rf_agc", "if_agc")
+SETTINGS = (TRANSPONDER, "frequency", "symbol_rate", "polarisation", "lnb_supply", *MEASURED_SETTINGS)
 """How the dish's own tuner is set: read at the beginning, and again with each reference cross."""
-MEASURED = ("rf_agc", "if_agc")
-"""What it is not set to, but finds: two maps may differ there."""
 
 
 class KeptMap:

@@ -27,9 +27,10 @@ CROSS_POINTS = 5
 """Directions along each axis of a reference cross."""
 LINES, LINE_S = 9, 0.06
 """Lines on the wire in one direction, and how long one takes: 20 to 100 ms, assumed."""
+MENU_S = 3 * LINE_S
 RADIO_LINES = 2
 """Where the level comes from a source of its own, nothing but the move and one look."""
-TUNER_READ_S = 0.15
+TUNER_READ_S = 0.1
 IN_TURN_S = 0.6
 """What it takes to see a dish at rest between two legs, where its axes turn one after the other."""
 
@@ -149,7 +150,9 @@ def estimate(
                     _travel_s(axis, round(abs(to - one), 6))
                     for axis, one, to in zip((facts.azimuth, facts.elevation), before, at, strict=True)
                 ]
-                seconds += max(ways) if facts.axes_together else sum(ways) + IN_TURN_S
+                # The way to the tuner's menu is gone while a dish turns whose axes go together.
+                hidden_s = MENU_S if dwell_s is None else 0.0
+                seconds += max(max(ways) - hidden_s, 0.0) if facts.axes_together else sum(ways) + IN_TURN_S
             before = at
     if request.reference is not None:
         crosses = 1.0 + seconds // max(request.reference_every_s, 60.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial
@@ -24,7 +24,7 @@ from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.skymap.sky_map import MapSample
 from birdcage.station.task import Report, Task
 from birdcage.station.task_state import TaskPhase, TaskValue
-from birdcage.tracking.steps import LimitSpeeds, PointAt, ReadFeatures, Step, StepResult, Steps, Wait
+from birdcage.tracking.steps import HearAt, LimitSpeeds, PointAt, ReadFeatures, Step, StepResult, Steps, Wait
 
 if TYPE_CHECKING:
     from birdcage.signal.beam_fit import BeamFit
@@ -44,7 +44,24 @@ MOST_EL_DEG = 85.0
 """Higher up a step across the line of sight is no step of the azimuth any more."""
 RESUME = "Resume it with m on F3 or `birdcage scan --resume`."
 
-Hearing = Generator[Step, StepResult, MapSample | None]
+Listening = Generator[Step, StepResult, MapSample | None]
+
+
+@dataclass(frozen=True, slots=True)
+class _Heard:
+    """What came of one direction."""
+
+    az_deg: float
+    el_deg: float
+    values: Sequence[float]
+    middle_s: float
+    """The middle of the time of listening, POSIX seconds."""
+    integration_s: float | None
+    told: Mapping[str, Reading]
+    """What the dish's tuner told beside the level."""
+
+
+Hearing = Generator[Step, StepResult, _Heard | None]
 
 
 @dataclass
@@ -231,40 +248,47 @@ class MapTask(Task):
         self._middle_s += 0.3 * (middle_s - begun.now_s - self._middle_s)
         self._newest.append((float(cell), sample.az_deg, sample.el_deg, sample.value))
 
-    def _listen(self, az_deg: float, el_deg: float, *, cell: int | None = None) -> Hearing:
+    def _listen(self, az_deg: float, el_deg: float, *, cell: int | None = None) -> Listening:
         """Go there, and return what is heard at rest; None where the dish can't go, or nothing could be read."""
         if abs(el_deg) > 90.0:
             return None
+        heard = yield from (self._by_tuner if self._map.of_dish else self._by_source)(az_deg, el_deg)
+        if heard is None:
+            return None
+        aim = (None, None) if self._path is None else self._path.at(heard.middle_s)
+        snr, lock = heard.told.get(SNR), heard.told.get(LOCK)
+        return self._map.sample(
+            cell=cell, cross_number=None if cell is not None else self._crosses, utc=_utc(heard.middle_s),
+            az_deg=heard.az_deg, el_deg=heard.el_deg, aim_az_deg=aim[0], aim_el_deg=aim[1],
+            value=fmean(heard.values), scatter=stdev(heard.values) if len(heard.values) > 1 else None,
+            readings=len(heard.values), integration_s=heard.integration_s,
+            snr_db=None if snr is None else float(snr.value), lock=None if lock is None else bool(lock.value),
+        )  # fmt: skip
+
+    def _by_tuner(self, az_deg: float, el_deg: float) -> Hearing:
+        """Hear by the dish's own tuner; SNR and lock, too, in the same visit to its menu."""
+        ids = (RSSI, *self._map.told_of((SNR, LOCK) if self.details else ()))
+        there = yield HearAt(az_deg, el_deg, optional=True, ids=ids)
+        levels = [there.readings.get(RSSI)]
+        for _ in range(1, self.reads):
+            again = yield ReadFeatures((RSSI,))
+            levels.append(again.readings.get(RSSI))
+        told = [level for level in levels if level is not None]
+        if there.true_az_deg is None or there.true_el_deg is None or not told:
+            return None
+        middle_s = fmean(each.utc.timestamp() for each in told)
+        values = [float(each.value) for each in told]
+        return _Heard(there.true_az_deg, there.true_el_deg, values, middle_s, None, there.readings)
+
+    def _by_source(self, az_deg: float, el_deg: float) -> Hearing:
+        """Hear by a source of its own."""
         there = yield PointAt(az_deg, el_deg, optional=True, brisk=True)
         if there.true_az_deg is None or there.true_el_deg is None:
             return None
-        values, told = yield from self._values()
+        values = yield from self._map.ear.values(self.reads or self._map.ear.reads)
         ended_s = (yield Wait(0.0)).now_s
-        if not values:
-            return None
-        middle_s = (there.now_s + ended_s) / 2.0
-        aim = (None, None) if self._path is None else self._path.at(middle_s)
-        snr, lock = told.get(SNR), told.get(LOCK)
-        return self._map.sample(
-            cell=cell, cross_number=None if cell is not None else self._crosses, utc=_utc(middle_s),
-            az_deg=there.true_az_deg, el_deg=there.true_el_deg, aim_az_deg=aim[0], aim_el_deg=aim[1],
-            value=fmean(values), scatter=stdev(values) if len(values) > 1 else None, readings=len(values),
-            integration_s=round(ended_s - there.now_s, 3), snr_db=None if snr is None else float(snr.value),
-            lock=None if lock is None else bool(lock.value),
-        )  # fmt: skip
-
-    def _values(self) -> Generator[Step, StepResult, tuple[list[float], Mapping[str, Reading]]]:
-        """Return what the source tells; of the dish's own tuner SNR and lock, too, in the same visit to its menu."""
-        if not self._map.of_dish:
-            return (yield from self._map.ear.values(self.reads or self._map.ear.reads)), {}
-        values: list[float] = []
-        told: dict[str, Reading] = {}
-        for turn in range(self.reads or 1):
-            more = (SNR, LOCK) if self.details and not turn else ()
-            told |= (yield ReadFeatures((RSSI, *self._map.told_of(more)))).readings
-            if (level := told.pop(RSSI, None)) is not None:
-                values.append(float(level.value))
-        return values, told
+        integration_s = round(ended_s - there.now_s, 3)
+        return _Heard(there.true_az_deg, there.true_el_deg, values, (there.now_s + ended_s) / 2.0, integration_s, {})
 
     def _cross(self) -> Steps:
         """Hear the reference: a line of directions through it along either axis."""

@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+MEASURED_SETTINGS = ("rf_agc", "if_agc")
+"""What a receiver is not set to, but finds by itself: maps of one receiver may differ there."""
+
+
 @dataclass(frozen=True, slots=True)
 class MapSample:
     """What was heard in one direction. What is not known is None."""

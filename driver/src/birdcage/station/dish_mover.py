@@ -53,7 +53,7 @@ class DishMover(QueuedMover):
         self.activity(Activity.SLEWING, "")
         eta = self._update()
         if job.brisk and eta - clock.monotonic() < SHORT_S:
-            self.due = eta + self._late_s
+            self.due = (self.rests_by(job) if job.heard_first else None) or eta + self._late_s
 
     def _point(self, job: Job, begin: Callable[[tuple[float, float]], None], *, clamp: bool, leapfrog: bool) -> None:
         try:
@@ -81,7 +81,7 @@ class DishMover(QueuedMover):
         off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
         off_el = abs(pointing.dish_el_deg - dish_el)
         is_there = max(off_az, off_el) <= ARRIVED_DEG
-        if must_rest and job.looks == 1:
+        if must_rest and job.looks == 1 and not job.heard_first:
             self._late_s = self._late_s - SOONER_S if is_there else self._late_s + LATER_S
             self._late_s = min(max(self._late_s, 0.0), LATEST_S)
         if is_there and (must_rest or job.still_since is not None):
@@ -99,6 +99,17 @@ class DishMover(QueuedMover):
             )
             return
         self._tell_progress(job, pointing, eta - self._store.clock.monotonic())
+
+    def rests_by(self, job: Job) -> float | None:
+        """Return when a short motion under way must be over, though it began only with its answer; None if unknown.
+
+        Monotonic seconds.
+        """
+        motion, rate = self._antenna.motion, self._store.clock.rate
+        if self._job is not job or not job.whole or motion is None or not motion.eta_known:
+            return None
+        lasts_s = max(axis.slew.duration_s for axis in (motion.azimuth, motion.elevation)) / rate
+        return job.answered + lasts_s if lasts_s < SHORT_S else None
 
     def _must_rest(self) -> bool:
         """Return whether it must be there, by speeds that are known."""

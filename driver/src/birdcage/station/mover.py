@@ -60,6 +60,8 @@ class Job:
     """Whether one reading there, asked for after the time at which the dish must rest, is its arrival."""
     to_rest: bool = False
     """Where it goes is the firmware's own business: it has arrived when it rests."""
+    heard_first: bool = False
+    """Whether something is read there before it is looked whether the dish is there."""
     looks: int = 0
     """How often it was looked at."""
     answered: float = 0.0

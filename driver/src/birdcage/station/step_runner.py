@@ -6,22 +6,24 @@ import math
 from collections import deque
 from concurrent.futures import Future
 
-from birdcage.antenna.motion import DishMotion
 from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, NoReply, PositionUnknown
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
+from birdcage.station.arrival_hearing import ArrivalHearing
 from birdcage.station.dish_exchanges import DishExchanges
-from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
+from birdcage.station.mover import POLL_S, Job
 from birdcage.station.parts import Parts
 from birdcage.station.queued_mover import STILL_S
+from birdcage.station.queued_stream import lags, way_deg
 from birdcage.station.signal_excursion import SignalExcursion
 from birdcage.station.speed_restorer import SpeedRestorer
-from birdcage.station.state import Activity, Motion, Pointing
+from birdcage.station.state import Activity, Motion
 from birdcage.station.sweep_exchange import SweepExchange
-from birdcage.station.unsure_move import UnsureMove, over_at
+from birdcage.station.unsure_move import UnsureMove
 from birdcage.tracking.steps import (
     CheckSweep,
     Hear,
+    HearAt,
     HomeAxis,
     LimitSpeeds,
     PointAt,
@@ -62,6 +64,7 @@ class StepRunner:
         self._reader, self._mover = parts.reader, parts.mover
         self._excursion = SignalExcursion(parts.store, parts.antenna, parts.reader, parts.watches)
         self._exchanges, self.sweeping = DishExchanges(parts), SweepExchange(parts)
+        self._hearing = ArrivalHearing(parts, self._exchanges)
         self.holder, self.speeds = holder, speeds
         self.step: Step | None = None
         self.hurry = False
@@ -107,7 +110,7 @@ class StepRunner:
             return self._excursion.due(now)
         arrival = self._long or self._arrival
         if arrival is not None and not arrival.done():
-            return None
+            return self._hearing.due() if isinstance(step, HearAt) else None
         return self._ends_at if isinstance(step, Send) else now
 
     def begin(self) -> None:
@@ -118,6 +121,7 @@ class StepRunner:
         self._unsure_move.forget()
         self._unsure = 0
         self._excursion.forget()
+        self._hearing.forget()
 
     def drop(self) -> None:
         """The task goes no further: what it has sent goes on."""
@@ -200,7 +204,7 @@ class StepRunner:
         if elevation:
             limit = gate.nearest_el_deg(deg)
             deg = limit if abs(limit - deg) <= ROUNDING_DEG else deg
-        if queues and model.slew is not None and self._way_deg(step) > model.slew.least_deg:
+        if queues and model.slew is not None and way_deg(self._antenna, step) > model.slew.least_deg:
             return self._send_long(step)
         if not model.moves_one_axis:
             return StepResult(self.now_s, self.now_s)  # it is there, to a step
@@ -249,7 +253,7 @@ class StepRunner:
         if now < self._ends_at:
             return False
         here = self._store.state.position
-        if here is not None and now < here.told_at + STALE_S / clock.rate and not self._lags(here, motion):
+        if here is not None and now < here.told_at + STALE_S / clock.rate and not lags(here, motion, clock.rate):
             return True
         if here is not None and now < here.told_at + POLL_S:
             self._ends_at = now + POLL_S
@@ -258,26 +262,7 @@ class StepRunner:
         self._ends_at = self._store.clock.monotonic()
         if here is None:
             raise PositionUnknown(LOST, reason=Reason.UNHOMED)
-        return not self._lags(here, motion)
-
-    def _lags(self, here: Pointing, motion: DishMotion) -> bool:
-        """Return whether an axis was not yet where it must have come to rest before this reading."""
-        rate = self._store.clock.rate
-        az_deg, el_deg = motion.rest
-        offs = (
-            (motion.azimuth, abs(shortest_turn(az_deg, here.dish_az_deg))),
-            (motion.elevation, abs(el_deg - here.dish_el_deg)),
-        )
-        return any(over_at(axis, rate) + POLL_S < here.told_at and off > ARRIVED_DEG for axis, off in offs)
-
-    def _way_deg(self, step: Send) -> float:
-        position, motion = self._antenna.gate.position, self._antenna.motion
-        if position is None:
-            return 0.0
-        az_deg, el_deg = (position.azimuth, position.elevation) if motion is None else motion.rest
-        if step.axis == self._antenna.model.elevation.index:
-            return abs(step.deg - el_deg)
-        return abs(shortest_turn(az_deg, step.deg))
+        return not lags(here, motion, clock.rate)
 
     def _send_long(self, step: Send) -> StepResult:
         """Let the mover go a way that must be stoppable while it lasts; the other axis stays where it was sent.
@@ -337,6 +322,8 @@ class StepRunner:
         arrival = self._arrival
         if arrival is not None:
             if not arrival.done():
+                if isinstance(self.step, HearAt) and self._hearing.due() is not None:
+                    self._hearing.read(self.step.ids)
                 return None
             arrival.result(0)
             self._arrival = None
@@ -347,8 +334,9 @@ class StepRunner:
         here = self._store.state.position
         if here is None:
             return StepResult(self.now_s)
+        readings = self._hearing.answer(self.step.ids) if isinstance(self.step, HearAt) else {}
         return StepResult(
-            self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s,
+            self.now_s, None, self.unrolled(here.dish_az_deg), here.dish_el_deg, self.now_s, readings,
             true_az_deg=here.az_deg, true_el_deg=here.el_deg,
         )  # fmt: skip
 
@@ -367,8 +355,10 @@ class StepRunner:
         whole = azimuth.max_deg - azimuth.min_deg >= 360.0
         true = self._antenna.alignment.to_true(az_deg % 360.0 if whole else az_deg, el_deg)
         arrival: Future[object] = Future()
-        brisk = isinstance(self.step, PointAt) and self.step.brisk
-        self._mover.go(Job(*true, self.holder, arrival, brisk=brisk))
+        brisk = isinstance(self.step, HearAt) or (isinstance(self.step, PointAt) and self.step.brisk)
+        job = Job(*true, self.holder, arrival, brisk=brisk, heard_first=isinstance(self.step, HearAt))
+        self._hearing.begin(job)
+        self._mover.go(job)
         self._arrival, self._az_deg = arrival, az_deg
 
     def _hear(self, step: Hear) -> StepResult | None:

@@ -77,6 +77,13 @@ class PointAt:
 
 
 @dataclass(frozen=True, slots=True)
+class HearAt(PointAt):
+    """Point there, and read features of the machine at rest there; one look is enough, before or after."""
+
+    ids: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class HomeAxis:
     """Find the reference of an axis by running it into its end stop."""
 

@@ -23,11 +23,13 @@ if TYPE_CHECKING:
 @click.option("--blur-place", is_flag=True, help="Round the place to whole degrees, and leave out what tells it.")
 @click.option("--mean", is_flag=True, help="Average these maps into one.")
 @click.option("--minus", metavar="MAP", help="Subtract this map.")
+@click.option("--without-drift", is_flag=True, help="Take out the drift of gain that the reference crosses tell.")
 @click.option("--replace", is_flag=True, help="Write over files that hold something else.")
 @global_options("config", "json", "verbose")
 def command(
-    names: tuple[str, ...], out: Path, kinds: str | None, blur_place: bool, mean: bool, minus: str | None, replace: bool
-) -> None:
+    names: tuple[str, ...], out: Path, kinds: str | None, blur_place: bool, mean: bool, minus: str | None,
+    without_drift: bool, replace: bool,
+) -> None:  # fmt: skip
     """Write maps of the sky into files: CSV, a picture, FITS, raw text of other sky-scan programs.
 
     MAP is a number of `birdcage maps`, or the path of a raw text file that another sky-scan program wrote. Files are
@@ -41,6 +43,10 @@ def command(
     if unknown := [each for each in wanted if each not in KINDS]:
         raise click.UsageError(f"“{unknown[0]}” is no kind of file. There are {', '.join(KINDS)}.")
     maps = [_named(name) for name in dict.fromkeys(names)]
+    if without_drift:
+        from birdcage.skymap import drift
+
+        maps = [drift.without_drift(each) for each in maps]
     if mean:
         maps = [combine.mean_of(maps)]
     if minus is not None:
