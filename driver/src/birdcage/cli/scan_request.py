@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.cli.range_type import Range, RangeType
 from birdcage.cli.source_where import named, path_from
 from birdcage.skymap.map_file import MapHead, list_maps
 from birdcage.skymap.map_request import MapRequest, again, usual_step_deg, within_reach
@@ -22,8 +23,6 @@ AROUND_BEAMS = 2.5
 """A map around a moving target goes so many widths of the beam to each side."""
 MOST_PATH_S = 6.0 * 3600.0
 """So far ahead it is computed where a target will be: until then the map is done, or is resumed."""
-
-Range = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,22 +42,6 @@ class ScanOptions:
     details: bool
     quiet: bool
     source: str
-
-
-class RangeType(click.ParamType["tuple[float, float]"]):
-    """Two angles with a colon between."""
-
-    name = "FROM:TO"
-
-    def convert(self, value: str | Range, param: click.Parameter | None, ctx: click.Context | None) -> Range:
-        """Return both."""
-        if isinstance(value, tuple):
-            return value
-        low, _colon, high = value.partition(":")
-        try:
-            return float(low), float(high)
-        except ValueError:
-            self.fail(f"{value!r} is no range of degrees. Type 160:220.", param, ctx)
 
 
 def request_of(options: ScanOptions, wants: Wanted, state: StationState) -> MapRequest:

@@ -8,7 +8,7 @@ import click
 
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
-from birdcage.cli.scan_request import RangeType
+from birdcage.cli.range_type import RangeType
 from birdcage.cli.source_option import heard_by, source_option
 
 if TYPE_CHECKING:

@@ -1,0 +1,23 @@
+"""An option that takes two angles."""
+
+from __future__ import annotations
+
+import click
+
+Range = tuple[float, float]
+
+
+class RangeType(click.ParamType["tuple[float, float]"]):
+    """Two angles with a colon between."""
+
+    name = "FROM:TO"
+
+    def convert(self, value: str | Range, param: click.Parameter | None, ctx: click.Context | None) -> Range:
+        """Return both."""
+        if isinstance(value, tuple):
+            return value
+        low, _colon, high = value.partition(":")
+        try:
+            return float(low), float(high)
+        except ValueError:
+            self.fail(f"{value!r} is no range of degrees. Type 160:220.", param, ctx)
