@@ -23,7 +23,7 @@ def test_a_map_is_made_kept_and_written_into_a_folder(run, tmp_path):
     assert "The map is complete: 6 directions." in result.stderr
     assert "Map 1: 6 of 6 directions are kept." in result.stderr
     files = sorted((tmp_path / "out").iterdir())
-    assert {each.suffix for each in files} >= {".csv", ".txt"}
+    assert {each.suffix for each in files} == {".csv", ".fits", ".png", ".txt"}
     assert sorted(result.stdout.split()) == sorted(str(each) for each in files)
     listed = run("maps")
     assert re.search(r"1 .*az 178:180 el 40:41 +1° +6 of 6 +tuner .* DEMO", listed.stdout)
