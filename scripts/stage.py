@@ -21,6 +21,8 @@ from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettin
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.setup.engine import Setup
 from birdcage.signal.source_set import SourceSet
+from birdcage.skymap.map_keeper import MapKeeper
+from birdcage.skymap.map_task import map_tasks
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
 from birdcage_tui.drawing.themes import LOOKS
@@ -123,11 +125,13 @@ async def demo(
         write_downlinks(paths)
         remember_demo(paths, firmware)
         signals = SourceSet(here, clock, threads=False)
+        maps = MapKeeper(signals, paths.signal_recordings, here)
         session = open_session(
             port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
-            identify=name_demo, tasks=signals.tasks,
+            identify=name_demo, tasks={**signals.tasks, **map_tasks(maps)},
         )  # fmt: skip
         signals.attach(session.station)
+        maps.attach(session.station)
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppOptions(
             theme=theme,

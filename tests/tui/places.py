@@ -8,12 +8,14 @@ from dataclasses import dataclass, field, replace
 
 import calibrate_stand_in
 import horizon_stand_in
+import map_stand_in
 import setup_stand_in
 import sky_stand_in
 import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.skymap.map_file import read_map
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 
@@ -125,6 +127,11 @@ PLACES = (
     _dialog("source of the signal", "SignalPage.do", "f3", "s", dialog="ChoiceScreen",
             holds="ChoiceScreen/OptionList"),
     _dialog("sweep", "SignalPage.do", "f3", "w", **FIELDS),
+    _page("map of the sky", "f3", "i", holds="SignalPage/MapPane"),
+    _page("map of the sky, roomy", "f3", "i", holds="SignalPage/MapPane", size=(120, 36)),
+    _dialog("map the sky", "MapHands.do", "f3", "m", **FIELDS),
+    _dialog("maps of the sky", "MapHands._choose", "f3", "M", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
+    _dialog("resume the map", "MapHands._ask_again", "f3", "u"),
     _dialog("by the signal", "SignalPage.do", "f3", "f", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
     _dialog("step-track", "SignalPage._find", "f3", "f", "down", "enter", **FIELDS),
     _dialog("on-off", "SignalPage._find", "f3", "f", "down", "down", "enter", **FIELDS),
@@ -171,6 +178,8 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             calibrate=calibrate_stand_in.make(place.calibrate),
             recordings_file=recordings_in(folder) if "R" in place.keys else None, **settings,
         )  # fmt: skip
+        if place.keys[:1] == ("f3",) and {"i", "u", "M"} & set(place.keys):
+            open_map(app, folder)
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)
 
@@ -185,6 +194,16 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             return await test(app, pilot, asked[-1] if asked else "")
 
     return asyncio.run(body())
+
+
+def open_map(app, folder):
+    """Have a map in the file that is begun and open; what reads the file does so at once."""
+    app.maps.beside = lambda work: work()
+    path = app.maps._path = folder / "maps.sqlite"
+    if not path.exists():
+        map_stand_in.keep(path, map_stand_in.made(heard=20))
+    app.maps.book.chosen = map_stand_in.KEY
+    app.maps.book.read(map_stand_in.KEY, read_map(path, 1))
 
 
 def recordings_in(folder):

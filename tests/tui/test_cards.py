@@ -66,7 +66,7 @@ def test_each_card_says_what_is_so():
     assert point == "g Point 18° to 65° elevation"
     assert passing == "n Next pass now METEOR-M2 4, max 71°", "it is in reach"
     assert monitor == "3 Monitor 480 counts, tuner"
-    assert scan == "w Scan the sky one axis, no map", "the map is not built yet"
+    assert scan == "w Scan the sky a map, live"
     assert setup == "8 Setup 8 of 11 steps done"
 
 
@@ -137,7 +137,7 @@ def test_n_shows_the_plan_of_the_pass_on_the_card():
     assert page == "craft"
 
 
-def test_w_asks_for_a_sweep():
+def test_w_asks_for_a_map():
     async def body(app, pilot):
         await pilot.press("w")
         await pilot.pause()
@@ -147,7 +147,8 @@ def test_w_asks_for_a_sweep():
     page, asked, said = run(body, size=(120, 36))
     assert page == "signal"
     assert asked
-    assert "Sweep" in said
+    assert "Map the sky" in said
+    assert "directions, about" in said
 
 
 @pytest.mark.parametrize("row", [0, 1])

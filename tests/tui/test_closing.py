@@ -42,7 +42,7 @@ def named(text):
 
 async def press_what_is_named(app, pilot, words):
     if words == CANCEL:
-        for _ in range(9):
+        for _ in range(12):
             await pilot.press("tab")
             if type(app.focused).__name__ == "CancelButton":
                 break

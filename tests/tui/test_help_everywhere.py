@@ -21,6 +21,7 @@ SCOPES = {
     ("f5", "i"): ("console-input", "console"),
     ("f5", "slash"): ("console-find", "console"),
     ("f2", "f5"): ("console",),
+    ("f3", "i"): ("map", "signal"),
 }
 """The keys that lead to each set of scopes, and these, from the focus outward."""
 POCKET_SCOPES = {(): ("pocket",), ("f",): ("pocket-passes", "pocket")}

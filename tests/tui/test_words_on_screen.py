@@ -16,7 +16,7 @@ import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.raw import CONSOLE
-from places import PLACES, press, recordings_in, settle
+from places import PLACES, open_map, press, recordings_in, settle
 from said import Said
 
 SMALL, LARGE = (80, 24), (160, 48)
@@ -43,6 +43,7 @@ def app_of(folder, place=None, state="idle"):
         keep_place=lambda *_place: None, calibrate=calibrate_stand_in.make(place.calibrate if place else "five"),
         recordings_file=recordings_in(folder),
     )  # fmt: skip
+    open_map(app, folder)
     app.track._make = track_stand_in.Source(
         track_stand_in.desk_in(place.track if place else "craft-idle", app.session.clock)
     )

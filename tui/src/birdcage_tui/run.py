@@ -359,6 +359,8 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool, unheeded: str
     return AppOptions(
         theme=settings.app.theme,
         keep_theme=lambda name: edit(paths.config_file, {"app.theme": name}),
+        map_colours=settings.app.map_colours,
+        keep_map_colours=lambda name: edit(paths.config_file, {"app.map_colours": name}),
         place=here,
         tour=demo,
         notice=notice,

@@ -19,14 +19,15 @@ from birdcage_tui.commands.receiver import RECEIVER
 from birdcage_tui.commands.resume import RESUME
 from birdcage_tui.commands.setup import SETUP
 from birdcage_tui.commands.signal import SIGNAL
+from birdcage_tui.commands.sky_map import SKY_MAP
 from birdcage_tui.commands.table import Command
 from birdcage_tui.commands.track import TRACK
 
 __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_force"]
 
 COMMANDS: tuple[Command, ...] = (
-    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *RECEIVER, *PASSES, *POCKET, *CONSOLE,
-    *CALIBRATE, *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *SKY_MAP, *RECEIVER, *PASSES, *POCKET,
+    *CONSOLE, *CALIBRATE, *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

@@ -33,7 +33,7 @@ CARDS = (
     ),
     Command(
         "scan-sky", ("w",), "w", "Scan the sky …",
-        "Sweep azimuth or elevation on F3: one line through the sky. A map of it is not built yet.",
+        "Map a region of the sky on F3, live. An estimate shows before it begins.",
         "Signal", can_find, where=WHERE,
     ),
 )  # fmt: skip

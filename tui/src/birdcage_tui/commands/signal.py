@@ -50,7 +50,7 @@ SIGNAL = (
         "Signal", can_find, footer="sweep", where=WHERE,
     ),
     Command(
-        "signal-view", ("v",), "v", "Next view", "The last minute, the sweep, or the waterfall of an RTL-SDR.",
+        "signal-view", ("v",), "v", "Next view", "The last minute, the sweep, the map, or an RTL-SDR's waterfall.",
         "Signal", footer="view", where=WHERE,
     ),
     Command(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import lru_cache
 from itertools import groupby, pairwise
 
@@ -101,6 +101,11 @@ class Cells:
     def shut(self, x: int, y: int, length: int) -> None:
         """Keep what asks for free cells off these, the gaps between words too."""
         self._shut.update((column, y) for column in range(x, x + length))
+
+    def put_row(self, x: int, y: int, chars: Sequence[str], inks: Sequence[str]) -> None:
+        """Write signs of one cell each, every one in its own ink; all of it must lie inside."""
+        self._chars[y][x : x + len(chars)] = chars
+        self._inks[y][x : x + len(inks)] = inks
 
     def rows_unlike(self, before: Cells) -> list[int]:
         """Return the rows that hold something else than those of `before`, which is as wide."""
@@ -244,6 +249,12 @@ class Braille:
                 self.dot(x0 + (x1 - x0) * due / length, y0 + (y1 - y0) * due / length, ink)
                 due += spacing
             due -= length
+
+    def signs(self) -> Iterator[tuple[int, int, str, str]]:
+        """Return column, row, sign and ink of each cell that has dots."""
+        for index, bits in enumerate(self._bits):
+            if bits:
+                yield index % self.width, index // self.width, _BRAILLE[bits], self._inks[index]
 
     def onto(self, cells: Cells, x: int, y: int) -> None:
         """Lay the dots over `cells`, with the top left corner at (x, y); cells without dots are left alone."""

@@ -9,8 +9,10 @@ from birdcage.station.requests import Request
 
 from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
 from birdcage_tui.feeds.horizon_book import HorizonBook
+from birdcage_tui.feeds.map_feed import MapFeed
 from birdcage_tui.feeds.network_source import NetworkSource
 from birdcage_tui.feeds.preset_book import PresetBook
+from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.feeds.sky_feed import SkyFeed
 from birdcage_tui.feeds.track_feed import TrackFeed
@@ -30,10 +32,14 @@ class AppHost(Protocol):
     """The pursuit desk, and what it has told."""
     signals: SignalFeed
     """What sources of a signal have told."""
+    maps: MapFeed
+    """The maps of the sky: the one under way, and those that are kept."""
     calibrate: CalibrateFeed
     """The guide of the calibration, and what it has told."""
     network: NetworkSource | None
     """Runs the server for other programs; None: it can't be run here."""
+    settings: AppOptions
+    """What the app was told before it began."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
 

@@ -46,6 +46,10 @@ class AppOptions:
     theme: str = "dusk"
     keep_theme: Callable[[str], None] | None = field(default=None, compare=False)
     """Keeps the theme that a person has picked for the next start; ConfigError says why not. None: nowhere."""
+    map_colours: str = ""
+    """The colours of maps of the sky (`skymap.colour_maps`); empty for the usual ones."""
+    keep_map_colours: Callable[[str], None] | None = field(default=None, compare=False)
+    """Keeps the colours that a person has picked for the next start; ConfigError says why not. None: nowhere."""
     place: SitePlace | None = None
     """None while the user has not told it: then no geostationary arc is drawn."""
     tour: bool = False

@@ -82,7 +82,7 @@ class DashboardPage(Page):
                 self.host.track.offer = Offer(row.name, row.norad_id, row.tca_s)
                 self.host.show_page("control", "open-offer")
             case "scan-sky":
-                self.host.show_page("signal", "signal-sweep")
+                self.host.show_page("signal", "map-begin")
             case _:
                 return False
         return True

@@ -35,6 +35,8 @@ from birdcage_tui.signal.find import (
 )
 from birdcage_tui.signal.head import SignalHead
 from birdcage_tui.signal.level import LevelPane
+from birdcage_tui.signal.map_hands import MapHands
+from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.signal.polarisations import FEATURES as POLARISED
 from birdcage_tui.signal.polarisations import PolarisationPane, polarisations_question
 from birdcage_tui.signal.receiver import FEATURES, SUPPLY, ReceiverPane
@@ -51,7 +53,7 @@ from birdcage_tui.widgets.pane import Pane
 UPPER, UPPER_TALL = 9, 13
 """Rows of level and way to the peak, and where there is room for larger digits."""
 TALL = 30
-VIEWS: tuple[type[Pane], ...] = (StripPane, SweepPane, WaterfallPane, PolarisationPane)
+VIEWS: tuple[type[Pane], ...] = (StripPane, SweepPane, WaterfallPane, MapPane, PolarisationPane)
 """What stands below, one at a time."""
 
 
@@ -63,15 +65,16 @@ class SignalPage(Page):
     SignalPage SignalHead { height: 1; }
     SignalPage #signal-upper { height: 9; }
     SignalPage LevelPane, SignalPage #signal-peak, SignalPage StripPane, SignalPage SweepPane,
-    SignalPage WaterfallPane, SignalPage PolarisationPane, SignalPage ReceiverPane {
+    SignalPage MapPane, SignalPage WaterfallPane, SignalPage PolarisationPane, SignalPage ReceiverPane {
         border: round $line; border-title-color: $dim; border-title-style: none; border-subtitle-color: $dim;
         width: 1fr; }
     SignalPage #signal-peak Pane { width: 1fr; }
     SignalPage ToPeakPane { height: 1fr; }
     SignalPage JogPane { height: 1; }
-    SignalPage StripPane, SignalPage SweepPane, SignalPage WaterfallPane,
+    SignalPage StripPane, SignalPage SweepPane, SignalPage MapPane, SignalPage WaterfallPane,
     SignalPage PolarisationPane { height: 1fr; }
-    SignalPage SweepPane, SignalPage WaterfallPane, SignalPage PolarisationPane { display: none; }
+    SignalPage SweepPane, SignalPage MapPane, SignalPage WaterfallPane, SignalPage PolarisationPane { display: none; }
+    SignalPage MapPane:focus { border: round $focus; }
     SignalPage ReceiverPane { height: 4; }
     """
     WATCHES = frozenset({"position", STEADY, *FEATURES})
@@ -84,6 +87,7 @@ class SignalPage(Page):
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
         self._tone = PageTone(self)
+        self._maps = MapHands(self, self._show_map, self._switch_whole)
 
     def compose(self) -> ComposeResult:
         """From the top."""
@@ -96,15 +100,19 @@ class SignalPage(Page):
                 yield JogPane(id="signal-jog")
         yield StripPane(id="signal-strip")
         yield SweepPane(id="signal-sweep")
+        yield MapPane(id="signal-map")
         yield WaterfallPane(id="signal-waterfall")
         yield PolarisationPane(id="signal-polarisations")
         yield ReceiverPane(id="receiver")
 
     _view: type[Pane] = StripPane
+    _whole = True
 
     def show(self, view: View) -> None:
         """Draw, and take up the tone again where the page was left with one."""
         self._tone.resume()
+        if self._maps.has_begun():
+            self._show_map()
         column, title = self.query_one("#signal-peak"), "While following" if followed_name(view) else "To the peak"
         if column.border_title != title:
             column.border_title = title
@@ -174,9 +182,28 @@ class SignalPage(Page):
     def _next_view(self) -> type[Pane]:
         """What stands below after this one: a waterfall only where the source tells spectra."""
         following = VIEWS[(VIEWS.index(self._view) + 1) % len(VIEWS)]
-        if following is PolarisationPane:  # only where a person has agreed to it
-            following = StripPane
-        return StripPane if following is WaterfallPane and not self.host.view().spectra else following
+        if following is WaterfallPane and not self.host.view().spectra:
+            following = MapPane
+        return StripPane if following is PolarisationPane else following  # only where a person has agreed to it
+
+    def _show_map(self) -> None:
+        """Show the map of the sky."""
+        self._show_view(MapPane)
+
+    def _switch_whole(self) -> None:
+        """Give the page to the map alone, or take that back where it has it."""
+        self._whole = not self.shows_whole_map
+        self._show_map()
+
+    @property
+    def shows_map(self) -> bool:
+        """Whether it is the map that stands below."""
+        return self._view is MapPane
+
+    @property
+    def shows_whole_map(self) -> bool:
+        """Whether the map has the page alone."""
+        return self.shows_map and self._whole
 
     def _show_view(self, kind: type[Pane]) -> None:
         """Show it in place of the others."""
@@ -191,7 +218,9 @@ class SignalPage(Page):
     def _give_room(self) -> None:
         """Give up the receiver's own words for a picture on a small screen, and while they are not read."""
         tall = self.size.height >= TALL and self._view is not PolarisationPane
-        self.query_one(ReceiverPane).display = tall or self._view is StripPane
+        whole = self.shows_whole_map
+        self.query_one("#signal-upper").display = not whole
+        self.query_one(ReceiverPane).display = not whole and (tall or self._view is StripPane)
 
     def _switch_record(self) -> None:
         signals = self.host.signals
@@ -237,6 +266,9 @@ class SignalPage(Page):
         if can_release(view) is None:  # Enter releases what is held before anything else
             self.host.action_command("release")
             return
+        if self.shows_map:
+            self._maps.do("map-enter")
+            return
         marker = book.mark(view.now, view.utc, view.state)
         if marker is None:
             self.host.say("The last reading is too old to be marked.")
@@ -263,6 +295,8 @@ class SignalPage(Page):
     def do(self, command: str) -> bool:
         """Offer the way to the peak, or forget it."""
         level = self.host.view().level
+        if command.startswith("map-"):
+            return self._maps.do(command)
         match command:
             case "signal-peak":
                 to = None if level is None else way_to(level)

@@ -20,6 +20,7 @@ from birdcage_tui.shown.card_words import (
     setup_words,
 )
 from birdcage_tui.shown.event_words import finding_now
+from birdcage_tui.shown.map_book import map_task
 from birdcage_tui.shown.pursuit import pursuit_of
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -65,6 +66,9 @@ def _words(name: str, view: View, room: int, *, dim: bool) -> tuple[str, ...]:
 
 def _reason(name: str, view: View) -> tuple[str, ...]:
     """Say in a few words why the dish can't be moved so; row 2 tells all of it when the key is pressed."""
+    task = map_task(view.state.tasks)
+    if name == "scan-sky" and task is not None:
+        return (f"map under way, {task.done or 0} of {task.of}", f"{task.done or 0} of {task.of}")
     if name == "scan-sky" and can_move(view) is None:
         if finding_now(view.state) is not None:
             return ("searching already", "searching")

@@ -88,12 +88,12 @@ class BirdcageApp(App[None]):
         self.ending = Ending(self, self)
         self.tap = WireTap(self.station.is_steering, session.on_wire)
         """What passes on the wire, from the first byte on; the console takes it out."""
-        self.feeds = FrameFeeds(
+        self.feeds = feeds = FrameFeeds(
             session, self.settings, self.soon, self.frames.changed,
             news=self._news, show_sky=lambda sky: self.post_message(SkyChanged(sky)), say=self.say, bell=self.bell,
         )  # fmt: skip
-        self.presets, self.horizon, self.calibrate = self.feeds.presets, self.feeds.horizon, self.feeds.calibrate
-        self.sky, self.track, self.signals = self.feeds.sky, self.feeds.track, self.feeds.signals
+        self.presets, self.horizon, self.maps = feeds.presets, feeds.horizon, feeds.maps
+        self.sky, self.track, self.signals, self.calibrate = feeds.sky, feeds.track, feeds.signals, feeds.calibrate
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
         self._tour = Tour(self.track.set_autotrack)

@@ -10,6 +10,7 @@ from birdcage.station.access import FaceSession
 from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
 from birdcage_tui.feeds.clock_watch import ClockWatch
 from birdcage_tui.feeds.horizon_book import HorizonBook
+from birdcage_tui.feeds.map_feed import MapFeed
 from birdcage_tui.feeds.preset_book import PresetBook
 from birdcage_tui.feeds.ready_watch import ReadyWatch
 from birdcage_tui.feeds.settings import AppOptions
@@ -47,6 +48,7 @@ class FrameFeeds:
         self.ready = ReadyWatch(settings.ready, soon, changed, settings.setup_steps)
         self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file,
                                   settings.levels_file)  # fmt: skip
+        self.maps = MapFeed(session.station, session.clock, soon, changed, settings.recordings_file)
         if settings.sound is not None:
             self.signals.sound, self.signals.no_sound = settings.sound()
         self.link_book = LinkBook()
@@ -58,6 +60,7 @@ class FrameFeeds:
         self.track.begin(place, self.horizon.known)
         self.clock_watch.begin()
         self.ready.begin()
+        self.maps.begin()
 
     def keep(self, place: SitePlace | None) -> None:
         """Tell the feeds what has become of the dish, its place and the horizon there."""
@@ -67,7 +70,7 @@ class FrameFeeds:
 
     def close(self) -> None:
         """End all of them."""
-        for each in (self.signals, self.sky, self.track, self.calibrate, self.clock_watch, self.ready):
+        for each in (self.signals, self.maps, self.sky, self.track, self.calibrate, self.clock_watch, self.ready):
             each.close()
 
     def hear_clock(self, told: ClockTold) -> None:
@@ -118,6 +121,8 @@ class FrameFeeds:
             recorded=self.signals.recorded,
             spectra=tuple(self.signals.book.spectra),
             sweeps=self.signals.sweeps.shown,
+            map=self.maps.book.shown,
+            map_ended=self.maps.ended_words,
             polarisations=self.signals.polarisations.levels,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,

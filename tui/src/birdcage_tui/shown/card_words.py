@@ -73,9 +73,13 @@ def monitor_words(view: View) -> tuple[str, ...]:
     return f"{value}, {view.heard_by}", value
 
 
-def scan_words(_view: View) -> tuple[str, ...]:
-    """Say what it does until there is a map."""
-    return "sweeps one axis, no map yet", "one axis, no map", "one axis"
+def scan_words(view: View) -> tuple[str, ...]:
+    """Say how far the map is that is kept open, else what it makes."""
+    shown = view.map
+    if shown is not None and not shown.is_complete:
+        part = f"{shown.heard} of {shown.plan.cells}"
+        return f"unfinished map, {part} heard", f"map {part}", part
+    return "a map of a region, live", "a map, live", "a map"
 
 
 def setup_words(view: View) -> tuple[str, ...]:

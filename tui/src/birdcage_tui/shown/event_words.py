@@ -13,7 +13,7 @@ from birdcage_tui.shown.view import YOU
 
 FINDING = {
     "peak": "Finding the peak", "acquire": "Searching", "sweep": "Sweeping", "firmware sweep": "Sweeping",
-    "on-off": "On-off", "drift": "Drift scan",
+    "on-off": "On-off", "drift": "Drift scan", "map": "Mapping the sky",
     "step-track": "Step-track",
 }  # fmt: skip
 """What tasks do that go by the signal, by their kind."""

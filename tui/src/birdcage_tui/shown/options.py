@@ -27,6 +27,10 @@ class FrameOptions(Protocol):
         """What pictures are drawn with: `braille`, `block` or `ascii`."""
 
     @property
+    def map_colours(self) -> str:
+        """The colours of maps of the sky; empty for the usual ones."""
+
+    @property
     def cell_aspect(self) -> float:
         """How much taller than wide a character is: so circles are round."""
 

@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from birdcage.station.pursuit_state import PointingSample
 
     from birdcage_tui.shown.calibration import CalibrateNow
+    from birdcage_tui.shown.map_book import MapShown
     from birdcage_tui.shown.polarisation_book import Levels
     from birdcage_tui.shown.sky_picture import SkyPicture
     from birdcage_tui.shown.sweep_book import SweepShown
@@ -127,6 +128,10 @@ class View:
     """What was heard, by a source that tells spectra; the newest last."""
     sweeps: Sequence[SweepShown] = ()
     """Those of this session, the newest last."""
+    map: MapShown | None = None
+    """The map of the sky that is open; None for none."""
+    map_ended: str | None = None
+    """How the last task that made it has ended, as a sentence; None while none has in this session."""
     polarisations: Levels = field(default_factory=dict)
     """What the dish's own tuner heard of either polarisation, in turn."""
     signal_trouble: str = ""

@@ -157,6 +157,9 @@ class AppSettings(Section):
     glyphs: Literal["braille", "block", "ascii"] = setting(
         "braille", "What pictures are drawn with.", env="BIRDCAGE_GLYPHS"
     )
+    map_colours: Literal["blue-yellow", "violet-yellow", "red", "grey"] = setting(
+        "blue-yellow", "Colours of maps of the sky; the night theme shows them in red whatever stands here."
+    )
     cell_aspect: float | None = setting(
         None, "Height of a character over its width; unset: what the terminal tells, else 2.", minimum=1.0, maximum=4.0
     )

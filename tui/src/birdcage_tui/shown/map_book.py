@@ -1,0 +1,138 @@
+"""The map that is shown: what was heard of it so far, by the station's word at once and by the file in full."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from birdcage.skymap.map_request import KIND
+from birdcage.skymap.plan import MapPlan
+from birdcage.skymap.sky_map import MapSample, SkyMap
+from birdcage.station.task_state import TaskPhase, TaskState
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MapShown:
+    """A map as it is known now."""
+
+    key: str
+    sky: SkyMap
+    """As it was read from the file last."""
+    grid: NDArray[np.float64]
+    """Values in rows of rising elevation and columns of rising azimuth, NaN where nothing was heard. Never changed."""
+    samples: Mapping[int, MapSample]
+    """What the file tells of a cell."""
+    heard: int
+    """How many directions."""
+    span: tuple[float, float] | None
+    """Least and greatest value; None before the first."""
+    loudest: int | None
+    """The cell with the greatest value; None before the first."""
+    next_cell: int | None
+    """The first of its sequence that was not heard; None once all were."""
+
+    @property
+    def plan(self) -> MapPlan:
+        """Its grid."""
+        return self.sky.plan
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether every direction was heard that the dish can go to."""
+        return self.sky.ended is not None or self.heard >= self.plan.cells
+
+    @property
+    def heard_cells(self) -> frozenset[int]:
+        """Which were heard."""
+        import numpy as np
+
+        return frozenset(np.flatnonzero(~np.isnan(self.grid)).tolist())
+
+    def value(self, cell: int) -> float | None:
+        """Return what was heard in a cell; None for nothing."""
+        row, column = divmod(cell, self.plan.columns)
+        value = float(self.grid[row, column])
+        return value if value == value else None
+
+
+@dataclass
+class MapBook:
+    """For the app's thread. `shown` is a new one after each change."""
+
+    shown: MapShown | None = None
+    begun: int = 0
+    """Counts the maps that were seen to begin, or that were under way as the app came: the page shows a new one."""
+    chosen: str = ""
+    """The key of a map that a person has opened: it stays until another one begins."""
+    _tasks: set[int] = field(default_factory=set)
+    _rows: dict[str, dict[int, float]] = field(default_factory=dict)
+    """What the station has told of a map, by its key and cell."""
+    _sequenced: MapPlan | None = None
+    _sequence: NDArray[np.int64] = field(init=False)
+
+    def take(self, task: TaskState) -> str | None:
+        """Take what a task tells. Return the key of a map that the file has to tell more of."""
+        key = str(task.found.get("map", ""))
+        if task.kind != KIND or not key:
+            return None
+        if task.number not in self._tasks:
+            self._tasks.add(task.number)
+            if task.phase is not TaskPhase.OVER:
+                self.begun += 1
+                self.chosen = ""
+        rows = _rows_of(task)
+        self._rows.setdefault(key, {}).update(rows)
+        if self.chosen not in ("", key):
+            return None
+        if self.shown is None or self.shown.key != key:
+            return key
+        self._keep(self.shown.sky, key, rows)
+        lacks = task.done is not None and self.shown.heard != task.done
+        return key if lacks or task.phase is TaskPhase.OVER else None
+
+    def read(self, key: str, sky: SkyMap) -> None:
+        """Take what the file tells. What the station has told since stays."""
+        self._keep(sky, key, self._rows.get(key, {}))
+
+    def _keep(self, sky: SkyMap, key: str, rows: Mapping[int, float]) -> None:
+        import numpy as np
+
+        before = self.shown if self.shown is not None and self.shown.key == key else None
+        if before is not None and before.sky is sky:
+            samples, grid = before.samples, before.grid.copy()
+        else:
+            samples, grid = {each.cell: each for each in sky.samples if each.cell is not None}, sky.grid()
+        flat = grid.reshape(-1)
+        for cell, value in rows.items():
+            if 0 <= cell < flat.size:
+                flat[cell] = value
+        heard = int(np.count_nonzero(~np.isnan(flat)))
+        span = (float(np.nanmin(flat)), float(np.nanmax(flat))) if heard else None
+        loudest = int(np.nanargmax(flat)) if heard else None
+        missing = np.isnan(flat[self._sequence_of(sky)])
+        next_cell = int(self._sequence[int(np.argmax(missing))]) if missing.any() else None
+        self.shown = MapShown(key, sky, grid, samples, heard, span, loudest, next_cell)
+
+    def _sequence_of(self, sky: SkyMap) -> NDArray[np.int64]:
+        import numpy as np
+
+        if self._sequenced is not sky.plan:
+            self._sequenced, self._sequence = sky.plan, np.array(sky.plan.sequence)
+        return self._sequence
+
+
+def _rows_of(task: TaskState) -> dict[int, float]:
+    """Return what a task tells of its newest directions, by cell."""
+    rows = task.found.get("newest", ())
+    return {int(row[0]): float(row[3]) for row in rows} if isinstance(rows, tuple) else {}
+
+
+def map_task(tasks: Sequence[TaskState], key: str = "") -> TaskState | None:
+    """Return the newest task that makes a map; with a key, only that map's."""
+    found = [each for each in tasks if each.kind == KIND and (not key or each.found.get("map") == key)]
+    return max(found, key=lambda each: each.number, default=None)
