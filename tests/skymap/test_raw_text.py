@@ -191,6 +191,9 @@ ENEMIES = {
     "off the grid": (b"110.0 18.0 4\n111.0 18.0 4\n112.3 18.0 4\n", "azimuth 112.3 lies on no grid"),
     "below ground": (b"110.0 -40.0 4\n111.0 50.0 4\n", "Elevation goes from -5 to 90"),
     "too many": (b"0.0 0.0 4\n0.00001 0.0 4\n359.0 89.0 4\n", "directions. At most"),
+    "a line without end": (b"1 " * 300_000, "no map has such long lines"),
+    "too many lines": (b"\n" * 400_001 + b"110.0 18.0 400\n", "line 400001: no map has such long lines, or so many"),
+    "absurd": (b"110.0 18.0 1e308\n110.0 19.0 -1e308\n", "holds no direction that was measured"),
     "unread": (b"110.0 18.0 -1\n", "each of them is marked as unread"),
 }
 
@@ -243,7 +246,7 @@ def test_silence_in_decibels_is_not_measured_and_it_is_said(tmp_path):
     values[0, 1], values[1, 2] = -np.inf, np.nan
     sky_map, notes = read_raw_text(matrix(tmp_path, values, (10, 13, 20, 21, 1, 1420.4, 0, 30)))
     assert len(sky_map.samples) == 4
-    assert "2 of its values are no finite numbers: those directions count as not measured." in notes
+    assert "2 of its values are no levels, as inf and nan: those directions count as not measured." in notes
 
 
 def test_a_last_line_without_an_end_is_left_out_as_its_number_may_be_cut(tmp_path):

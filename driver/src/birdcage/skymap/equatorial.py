@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 ROUNDS = 3
 """So often is the lift of the air computed anew, until the direction without it is exact."""
 
+STEADY_S = 300.0
+"""Between times so far apart precession, nutation and aberration are interpolated, which costs no milliarcsecond."""
+
 
 @contextmanager
 def offline() -> Iterator[None]:
@@ -50,6 +53,10 @@ def equatorial(
         with offline():
             import astropy.units as u  # type: ignore[import-untyped]
             from astropy.coordinates import AltAz, EarthLocation, SkyCoord  # type: ignore[import-untyped]
+            from astropy.coordinates.erfa_astrom import (  # type: ignore[import-untyped]
+                ErfaAstromInterpolator,
+                erfa_astrom,
+            )
             from astropy.time import Time  # type: ignore[import-untyped]
 
             seen = np.array([samples[index].el_deg for index in timed])
@@ -59,7 +66,8 @@ def equatorial(
             place = EarthLocation.from_geodetic(longitude_deg * u.deg, latitude_deg * u.deg, height_m * u.m)
             times = Time([samples[index].utc for index in timed], scale="utc")
             az = np.array([samples[index].az_deg for index in timed])
-            sky = SkyCoord(AltAz(az=az * u.deg, alt=el * u.deg, obstime=times, location=place)).icrs
+            with erfa_astrom.set(ErfaAstromInterpolator(STEADY_S * u.s)):
+                sky = SkyCoord(AltAz(az=az * u.deg, alt=el * u.deg, obstime=times, location=place)).icrs
             galactic = sky.galactic
             found[:, timed] = sky.ra.deg, sky.dec.deg, galactic.l.deg, galactic.b.deg
     return tuple(found)

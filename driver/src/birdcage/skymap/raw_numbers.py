@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import math
 from collections.abc import Iterator
 from pathlib import Path
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 MOST_BYTES = 80_000_000
 """The largest of the published ones is a matrix in tenths of a degree: 54 MB."""
 MOST_VALUES = 4_000_000
+MOST_LINES, LONGEST_LINE = 400_000, 400_000
 SHOWN = 24
 """So much of a wrong word stands in the error."""
 
@@ -42,7 +44,9 @@ class NumberFile:
 
     def fields(self) -> Iterator[tuple[int, list[str]]]:
         """Yield the number of each line, from 1, and its words."""
-        for number, line in enumerate(self._text.splitlines(), start=1):
+        for number, line in enumerate(io.StringIO(self._text), start=1):
+            if number > MOST_LINES or len(line) > LONGEST_LINE:
+                raise self.wrong(number, "no map has such long lines, or so many of them.")
             words = line.split()
             if words and not words[0].startswith("#"):
                 yield number, words

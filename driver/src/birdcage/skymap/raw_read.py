@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-import math
 import re
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -22,6 +21,8 @@ _MATRIX = re.compile(r"raw-data-(.+)\.txt")
 _SETTINGS = re.compile(r"scan[-_]settings[-_].+\.txt")
 SETTINGS_NAMES = ("scan-settings-{}.txt", "scan_settings_{}.txt")
 SETTINGS_BYTES = 4096
+MOST = 1e9
+"""No tuner and no receiver tells a level beyond that."""
 OFF_GRID = 0.01
 """A direction may be so many steps beside the grid, as it was written with few decimals."""
 
@@ -119,13 +120,13 @@ def _made(
 ) -> tuple[SkyMap, list[str]]:  # fmt: skip
     decibels = layout is not None and layout.decibels
     unread = [value for _cell, value in values if value == UNREAD and not decibels]
-    odd = sum(not math.isfinite(value) for _cell, value in values)
+    odd = sum(not abs(value) < MOST for _cell, value in values)
     if odd:
-        notes.append(f"{odd} of its values are no finite numbers: those directions count as not measured.")
+        notes.append(f"{odd} of its values are no levels, as inf and nan: those directions count as not measured.")
     heard = [
         MapSample(cell, None, None, *plan.at(cell), None, None, value, None, 1, None, None, None, None, 0, "", "")
         for cell, value in values
-        if math.isfinite(value) and (decibels or value != UNREAD)
+        if abs(value) < MOST and (decibels or value != UNREAD)
     ]
     if not heard:
         why = "each of them is marked as unread" if unread else "there is no value in it"
