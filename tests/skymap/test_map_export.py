@@ -106,6 +106,35 @@ def test_a_file_that_holds_something_else_stays_until_somebody_asks(tmp_path):
     assert sorted(each.name for each in tmp_path.iterdir() if each.name.startswith(".")) == []
 
 
+def test_the_files_of_a_map_grow_with_it(tmp_path):
+    assert write_files(a_map(heard=3), tmp_path).kept == []
+    done = write_files(a_map(), tmp_path)
+    assert (done.kept, len(done.paths)) == ([], 6)
+    assert "directions heard: 6 of 6" in done.paths[0].read_text()
+    less = write_files(a_map(heard=3), tmp_path)
+    assert [each.suffix for each in less.kept] == [".csv", ".txt", ".txt"], "what is in them would be lost"
+
+
+@pytest.mark.parametrize("name", ["map-12-20261127-230000.png", "map-12-20261127-230000.fits"])
+def test_a_picture_of_another_program_stays(tmp_path, name):
+    (tmp_path / name).write_bytes(b"\x89PNG of another program")
+    assert write_files(a_map(), tmp_path).kept == [tmp_path / name]
+
+
+@pytest.mark.parametrize(
+    ("name", "change"),
+    [
+        ("map-12-20261127-230000.csv", lambda text: text + "a remark of mine\n"),
+        ("raw-data-20261127-230000.txt", lambda text: text.replace("e+02", "e+01", 1)),
+        ("2026_11_27_23_00_00.txt", lambda text: text.replace("160.0 25.0 ", "160.0 25.0 9", 1)),
+    ],
+)
+def test_what_somebody_wrote_into_a_file_is_not_lost(tmp_path, name, change):
+    write_files(a_map(demo=False), tmp_path)
+    (tmp_path / name).write_text(change((tmp_path / name).read_text()))
+    assert [each.name for each in write_files(a_map(demo=False), tmp_path).kept] == [name]
+
+
 def test_a_folder_that_is_none_is_an_error_with_the_reason(tmp_path):
     (tmp_path / "file").write_text("")
     with pytest.raises(StoreError, match=r"map-12-20261127-230000\.csv can't be written"):
@@ -117,6 +146,7 @@ def test_names():
     assert base_name(blurred(a_map())) == "map-12-20261127-230000-blurred"
     mean = a_map(number=None, about={"mean_of": [12, 13]})
     assert base_name(mean) == "map-12-13-mean-20261127-230000"
+    assert base_name(a_map(about={"drift_removed": True})) == "map-12-without-drift-20261127-230000"
     assert base_name(a_map(about={"minus": [9]})) == "map-12-minus-9-20261127-230000"
     read = a_map(number=None, begun=None, about={"file": "../raw data\u2026-2023.txt"})
     assert base_name(read) == "map-raw-data-2023"

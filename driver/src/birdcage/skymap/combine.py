@@ -10,7 +10,7 @@ from birdcage.base.errors import BirdcageError
 from birdcage.skymap.place_blur import made_from
 from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample, SkyMap
 
-HELD = ("dish", "feed", "target", "freq_hz")
+HELD = ("dish", "feed", "target", "freq_hz", "drift_removed")
 """What is known about a map, and has to be the same."""
 VOLTS, VOLTS_OFF = " V", 2.0
 """A supply of 13 V is never exactly that: what is measured of it may differ by so much. 18 V is another one."""

@@ -134,6 +134,8 @@ def name_cards(sky_map: SkyMap) -> Iterator[Card]:
     yield "CREATOR", f"birdcage {version()}", ""
     yield "NHEARD", len(sky_map.samples), "directions heard"
     yield "NCELLS", sky_map.plan.cells, "directions of the grid"
+    if about.get("drift_removed"):
+        yield "NODRIFT", True, "the drift of gain is taken out"
     yield "LOGSCALE", sky_map.decibels, "equal steps are equal ratios of power"
     yield "SIMULATE", sky_map.demo, "the sky is a simulated one"
 

@@ -14,6 +14,7 @@ from birdcage.base.paths import write_aside_and_rename
 from birdcage.base.text import clean
 from birdcage.base.user_file import read_user_file
 from birdcage.skymap.csv_table import csv_lines
+from birdcage.skymap.earlier_file import is_earlier
 from birdcage.skymap.place_blur import blurred, is_blurred, made_from
 from birdcage.skymap.raw_text import NotInThisForm, as_lines, as_matrix
 from birdcage.skymap.sky_map import SkyMap
@@ -45,8 +46,8 @@ def write_files(
 ) -> FilesWritten:
     """Write a map in each of these kinds, each file aside and renamed. StoreError if the folder can't be written to.
 
-    A file that is there and holds something else stays, unless `replace`. Without Pillow or astropy, which are the
-    extra `science`, the other kinds are written. `blur_place`: see `place_blur.blurred`.
+    A file that is there stays, unless `replace`, or it holds an earlier state of the map. Without Pillow or astropy,
+    which are the extra `science`, the other kinds are written. `blur_place`: see `place_blur.blurred`.
     """
     told = blurred(sky_map) if blur_place else sky_map
     done, name, stamp = FilesWritten(), base_name(told), _stamp(sky_map)
@@ -73,6 +74,8 @@ def base_name(sky_map: SkyMap) -> str:
         parts = ["map", str(sky_map.number)]
     else:
         parts = ["map", Path(str(file)).stem if file else "from-file"]
+    if sky_map.about.get("drift_removed"):
+        parts.append("without-drift")
     if minus:
         parts += ["minus", *map(str, minus)]
     plain = re.sub(r"[^A-Za-z0-9_]+", "-", "-".join(parts))[:_LONGEST].strip("-")
@@ -127,7 +130,7 @@ _MADE: Mapping[str, Callable[[SkyMap], bytes]] = {"csv": _csv, "png": _png, "fit
 
 def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool) -> bool:
     try:
-        if not replace and path.exists() and read_user_file(path, MOST_BYTES) != data:
+        if not replace and path.exists() and _is_other(read_user_file(path, MOST_BYTES), data, path.name):
             done.notes.append(f"{clean(str(path))} exists and holds something else. --replace writes over it.")
             done.kept.append(path)
             return False
@@ -136,3 +139,7 @@ def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool) -> boo
         raise StoreError(f"{clean(str(path))} can't be written: {error.strerror or error}.") from error
     done.paths.append(path)
     return True
+
+
+def _is_other(old: bytes, new: bytes, name: str) -> bool:
+    return old != new and not is_earlier(old, new, name)

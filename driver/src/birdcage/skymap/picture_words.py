@@ -51,7 +51,8 @@ def told_of(sky_map: SkyMap) -> list[str]:
     freq_hz = about.get("freq_hz")
     freq = f"{freq_hz / 1e9:.6g} GHz" if isinstance(freq_hz, int | float) else ""
     feed = f"feed {about['feed']}" if about.get("feed") else ""
-    told = (_when(sky_map), about.get("source_label") or sky_map.source, about.get("dish"), feed, freq)
+    drift = "drift taken out" if about.get("drift_removed") else ""
+    told = (_when(sky_map), about.get("source_label") or sky_map.source, about.get("dish"), feed, freq, drift)
     return [drawn(each) for each in told if each]
 
 

@@ -10,7 +10,7 @@ from birdcage.skymap.sky_map import SkyMap
 TOLD = (
     "dish", "firmware", "feed", "source_label", "target", "latitude_deg", "longitude_deg", "height_m", "beam_az_deg",
     "beam_el_deg", "freq_hz", "az_offset_deg", "el_offset_deg", "ca_deg", "an_deg", "aw_deg", "file", "mean_of",
-    "minus",
+    "minus", "drift_removed",
 )  # fmt: skip
 """What files tell of all that is known about a map."""
 OWN_WORDS = ("url", "address", "command", "where")

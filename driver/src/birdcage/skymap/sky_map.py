@@ -75,7 +75,8 @@ class SkyMap:
     `dish`, `firmware`, `feed`, `source_label`, `target`: names. `latitude_deg`, `longitude_deg`, `height_m`: the place.
     `beam_az_deg`, `beam_el_deg`: the beam at half power on the sky. `freq_hz`: the middle of what is heard, at the
     antenna. `az_offset_deg`, `el_offset_deg`, `ca_deg`, `an_deg`, `aw_deg`: the pointing model in use. `file`: where
-    it was read from. `mean_of`, `minus`: which maps it was made from.
+    it was read from. `mean_of`, `minus`: which maps it was made from. `drift_removed`:
+    whether the drift of gain was taken out.
     """
     settings: tuple[Mapping[str, str], ...] = ({},)
     """Each way in which the receiver was set: frequency, transponder, bandwidth, gain, AGC, LNB voltage, by name."""

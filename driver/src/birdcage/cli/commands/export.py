@@ -42,15 +42,11 @@ def command(
     wanted = KINDS if kinds is None else tuple(dict.fromkeys(each.strip().lower() for each in kinds.split(",")))
     if unknown := [each for each in wanted if each not in KINDS]:
         raise click.UsageError(f"“{unknown[0]}” is no kind of file. There are {', '.join(KINDS)}.")
-    maps = [_named(name) for name in dict.fromkeys(names)]
-    if without_drift:
-        from birdcage.skymap import drift
-
-        maps = [drift.without_drift(each) for each in maps]
+    maps = [_named(name, without_drift=without_drift) for name in dict.fromkeys(names)]
     if mean:
         maps = [combine.mean_of(maps)]
     if minus is not None:
-        taken = _named(minus)
+        taken = _named(minus, without_drift=without_drift)
         maps = [combine.minus(each, taken) for each in maps]
     paths, notes, failed = [], [], False
     for each in maps:
@@ -69,7 +65,14 @@ def command(
         raise SystemExit(exits.NOT_DONE)
 
 
-def _named(name: str) -> SkyMap:
+def _named(name: str, *, without_drift: bool) -> SkyMap:
+    from birdcage.skymap import drift
+
+    sky_map = _as_heard(name)
+    return drift.without_drift(sky_map) if without_drift else sky_map
+
+
+def _as_heard(name: str) -> SkyMap:
     """Return a map by its number, or out of a file of raw text."""
     from birdcage.cli.say import say
     from birdcage.skymap.map_file import read_map
