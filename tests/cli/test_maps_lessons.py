@@ -6,9 +6,11 @@ import pytest
 from birdcage.base.config import load
 from birdcage.base.config.edit import edit
 from birdcage.base.paths import Paths
+from birdcage.calibration.peaks_file import load_peaks, peaks_file
 from birdcage.sim.settings import SimSettings
 from birdcage.skymap.map_file import MapWriter, NewMap
 
+from tests.skymap.arcs import WHOLE, simulated_arc
 from tests.skymap.suns import around, simulated
 from tests.skymap.test_horizon_lesson import KNOWN, TREES, counts
 
@@ -142,3 +144,29 @@ def test_counts_need_two_known_levels(run):
     said = run("maps", "beam", number)
     assert said.exit_code == 1
     assert "counts are no power" in said.stderr
+
+
+def test_north_and_tilt_are_proposed_and_handed_to_calibrate(run, as_json):
+    number = keep(simulated_arc(7.0, 1.2, -1.6))
+    told = as_json(run("maps", "north", number, "--within", 20, "--json"))
+    assert told["az_offset_deg"] == pytest.approx(7.0, abs=0.2)
+    assert (told["an_deg"], told["aw_deg"]) == (pytest.approx(1.2, abs=0.2), pytest.approx(1.6, abs=0.2))
+    assert load_peaks(peaks_file(Paths.default())).entries == ()
+    edit(Paths.default().config_file, {"place.latitude_deg": 39.1, "place.longitude_deg": -95.7})
+    said = run("maps", "north", number, "--within", 20, "--calibrate")
+    assert "North  azimuth offset +7." in said.stdout
+    assert f"Kept {len(told['slots'])} peaks for the calibration, 1 to {len(told['slots'])}" in said.stderr
+    peaks = load_peaks(peaks_file(Paths.default())).entries
+    assert [(peak.found, round(peak.dish_az_deg, 3)) for peak in peaks] == [
+        ("rssi", slot["dish_az_deg"]) for slot in told["slots"]
+    ]
+    assert run("calibrate", "fit").exit_code == 0
+
+
+def test_a_map_that_does_not_tell_north_says_why_and_keeps_nothing(run):
+    number = keep(simulated_arc(7.0, 1.2, -1.6, WHOLE), latitude_deg=None)
+    assert "does not tell where it was made" in run("maps", "north", number).stderr
+    sun_map = keep(simulated(SimSettings, around(12.0, 12.0, 3.0)), "k2")
+    said = run("maps", "north", sun_map, "--calibrate")
+    assert (said.exit_code, "around Sun" in said.stderr) == (1, True)
+    assert load_peaks(peaks_file(Paths.default())).entries == ()

@@ -33,6 +33,8 @@ WITH_ARRAYS = (
     "birdcage.sky.sun_vectors",
     "birdcage.sky.search_worker",
     "birdcage.sky.pass_search_job",
+    "birdcage.skymap.arc_lesson",
+    "birdcage.skymap.arc_model",
     "birdcage.tracking.",
 )
 """Where whole catalogues are computed. Whoever uses them imports them inside a function: see the test below."""

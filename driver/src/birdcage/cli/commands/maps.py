@@ -8,6 +8,7 @@ import click
 
 from birdcage.cli.commands.maps_beam import beam
 from birdcage.cli.commands.maps_horizon import horizon
+from birdcage.cli.commands.maps_north import north
 from birdcage.cli.exits import DATA_EPILOG
 from birdcage.cli.options import find_paths, flags, global_options
 
@@ -65,3 +66,4 @@ def _values(head: MapHead) -> dict[str, object]:
 
 command.add_command(horizon)
 command.add_command(beam)
+command.add_command(north)
