@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from types import SimpleNamespace
 
@@ -193,6 +194,21 @@ def test_a_map_waits_for_its_time_and_counts_down_before_the_dish_moves(tmp_path
     assert 3 < bench.task.done < 24
     assert "directions are heard. Resume it" in bench.task.why
     assert bench.heard() == [(1, bench.task.done, False)]
+
+
+def test_the_console_is_kept_awake_in_pauses_and_left_alone_afterwards(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(start_s=bench.clock.utc().timestamp() + 900.0)
+    bench.step(5.0)
+    heard = [at for at, _line in bench.received()]
+    bench.step(800.0)
+    heard += [at for at, line in bench.received() if line == "a" and at > heard[-1]]
+    assert max(later - one for one, later in itertools.pairwise(heard[-500:])) < 60.0
+    bench.run()
+    bench.step(2.0)
+    at = bench.clock.monotonic()
+    bench.step(120.0)
+    assert [line for when, line in bench.received() if when > at] == []
 
 
 def test_a_reference_cross_comes_first_every_so_often_and_last(tmp_path):

@@ -7,14 +7,15 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from birdcage.rotator.feature import RSSI, TRANSPONDER, speed_of
+from birdcage.rotator.feature import POSITION, RSSI, TRANSPONDER, speed_of
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from birdcage.signal.ear import TaskEar
 from birdcage.signal.source import Scale, SignalFacts
 from birdcage.skymap.battery import Battery, read_battery
 from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
-from birdcage.skymap.map_request import MapRequest
+from birdcage.skymap.map_request import KIND, MapRequest
 from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample
+from birdcage.station.requests import Unwatch, Watch
 
 if TYPE_CHECKING:
     from birdcage.base.config import Settings
@@ -35,7 +36,7 @@ class KeptMap:
         self, new: NewMap, path: Path | None, ear: TaskEar, facts: SignalFacts, station: StationAccess
     ) -> None:  # fmt: skip
         self.ear, self.of_dish, self.decibels = ear, facts.of_dish, new.decibels
-        self._facts, self._station = facts, station
+        self._facts, self._station, self._awake = facts, station, False
         self.heard = frozenset() if path is None else heard_cells(path, new.key)
         self._writer = None if path is None else MapWriter(path, new)
 
@@ -65,6 +66,16 @@ class KeptMap:
             polarisation=None if polarisation is None or not self.of_dish else str(polarisation.value),
             state=state.activity.value, **values,
         )  # fmt: skip
+
+    def keep_awake(self, *, on: bool) -> None:
+        """Have the dish asked where it points now and then, while nothing else is said to it.
+
+        A G2 has a sleep timer of 420 s (setting 38), and what sleep does to its console is open
+        (`docs/reference/g2.md`).
+        """
+        if on is not self._awake:
+            self._awake = on
+            self._station.submit(Watch(KIND, frozenset({POSITION}), 1.0) if on else Unwatch(KIND))
 
     def add(self, sample: MapSample) -> None:
         """Keep it."""

@@ -149,7 +149,8 @@ class MapTask(Task):
         self._report = report
 
     def entered(self, phase: TaskPhase, why: str, *, is_done: bool) -> None:  # noqa: ARG002 - however it ended
-        """Close the file when it is over."""
+        """Close the file when it is over; keep the console awake in pauses."""
+        self._map.keep_awake(on=phase in (TaskPhase.WAITING, TaskPhase.YIELDED, TaskPhase.INTERRUPTED))
         if phase is TaskPhase.OVER:
             self._map.close()
 
@@ -184,6 +185,7 @@ class MapTask(Task):
         """Wait until it is time, with a countdown where the person who asked for it may have gone."""
         if now_s >= self.start_s:
             return now_s
+        self._map.keep_awake(on=True)
         if self._report is not None:
             self._report(TaskPhase.WAITING, f"The map begins at {_clock(self.start_s)}.", KIND, _utc(self.start_s))
         while now_s < self.start_s - COUNTDOWN_S:
@@ -193,6 +195,7 @@ class MapTask(Task):
             self._report(TaskPhase.COUNTDOWN, "The dish is about to move.", KIND, _utc(begins_s))
             now_s = (yield Wait(begins_s)).now_s
             self._report(TaskPhase.RUNNING, "", "", None)
+        self._map.keep_awake(on=False)
         return now_s
 
     def _set_up(self) -> Steps:
