@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.antenna.reading_filter import AngleSpan, Expected, ReadingFilter
+from birdcage.antenna.reading_filter import CLEAN_READS, AngleSpan, Expected, ReadingFilter
 from birdcage.base.errors import NoReply
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.values import Position
@@ -153,3 +153,27 @@ def test_a_motion_that_the_dish_does_not_follow_is_not_gone_by_again(rested):
     wire.asked = 0
     belief.read(wire.once, wire)
     assert wire.asked == 1
+
+
+@pytest.mark.parametrize(("clean", "asked"), [(50, 3), (CLEAN_READS, 1)])
+def test_on_a_line_that_was_clean_for_long_a_step_by_a_whole_degree_is_believed_at_once(rested, clean, asked):
+    wire, belief = rested
+    for _ in range(clean):
+        wire.angles = [(127.51, 36.29)]
+        belief.read(wire.once, wire)
+    belief.foresee = foreseen(128.51)
+    wire.angles, wire.asked = [(128.51, 36.29)] * 3, 0
+    assert belief.read(wire.once, wire) == Position(128.51, 36.29)
+    assert wire.asked == asked
+
+
+def test_one_contradiction_makes_a_clean_line_doubtful_again(rested):
+    wire, belief = rested
+    for _ in range(CLEAN_READS):
+        wire.angles = [(127.51, 36.29)]
+        belief.read(wire.once, wire)
+    wire.angles = [(27.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
+    belief.read(wire.once, wire)
+    belief.foresee = foreseen(128.51)
+    wire.angles = [(128.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
+    assert belief.read(wire.once, wire) == Position(127.51, 36.29)

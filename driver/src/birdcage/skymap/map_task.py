@@ -126,6 +126,7 @@ class MapTask(Task):
             ("reference_el_deg", -90.0, 90.0), ("reference_every_s", 0.0, 1e6),
         ):  # fmt: skip
             check_number(name, getattr(self, name), low, high)
+        self.reads = int(self.reads)  # other programs know no whole numbers
         follows = self.plan.frame is MapFrame.TARGET
         if follows != bool(self.path):
             raise TypeError("a map around a moving target needs a path, and no other one has it")

@@ -128,7 +128,7 @@ def command(
         for turn in range(repeat):
             values = (request if not turn else fresh(request)).values()
             files.key = str(values["key"])
-            ended = follow_task(dish, KIND, values, HOLDER, TAKES_S, _progress)
+            ended = follow_task(dish, KIND, values, HOLDER, TAKES_S, _progress, _Pauses().show)
             say(ended.why)
             if turn + 1 < repeat:
                 files.write()
@@ -136,9 +136,24 @@ def command(
             tell_json({**ended.found, "heard": ended.done, "of": ended.of, "demo": dish.state.demo})
 
 
+class _Pauses:
+    """Says once why the map does not go on, and once more when it does."""
+
+    def __init__(self) -> None:
+        self._said = ""
+
+    def show(self, task: TaskState) -> None:
+        """Take in a change of the task."""
+        from birdcage.cli.say import say
+
+        pauses = task.phase.value in ("waiting", "yielded", "interrupted")
+        words = task.why if pauses else "The map goes on." if self._said and task.phase.value == "running" else ""
+        if words and words != self._said:
+            say(words)
+        self._said = task.why if pauses else ""
+
+
 def _progress(task: TaskState) -> str:
-    if task.why and task.done == 0:
-        return task.why
     left_s = task.found.get("left_s")
     left = f", {_time(left_s)} left" if isinstance(left_s, float) else ""
     drift = ", the dish has lost steps" if task.found.get("lost_steps") else ""
