@@ -156,14 +156,14 @@ def test_a_motion_that_the_dish_does_not_follow_is_not_gone_by_again(rested):
 
 
 @pytest.mark.parametrize(("clean", "asked"), [(50, 3), (CLEAN_READS, 1)])
-def test_on_a_line_that_was_clean_for_long_a_step_by_a_whole_degree_is_believed_at_once(rested, clean, asked):
+def test_on_a_line_that_was_clean_for_long_a_step_by_whole_degrees_is_believed_at_once(rested, clean, asked):
     wire, belief = rested
     for _ in range(clean):
         wire.angles = [(127.51, 36.29)]
         belief.read(wire.once, wire)
-    belief.foresee = foreseen(128.51)
-    wire.angles, wire.asked = [(128.51, 36.29)] * 3, 0
-    assert belief.read(wire.once, wire) == Position(128.51, 36.29)
+    belief.foresee = foreseen(129.51)
+    wire.angles, wire.asked = [(129.51, 36.29)] * 3, 0
+    assert belief.read(wire.once, wire) == Position(129.51, 36.29)
     assert wire.asked == asked
 
 
@@ -174,6 +174,6 @@ def test_one_contradiction_makes_a_clean_line_doubtful_again(rested):
         belief.read(wire.once, wire)
     wire.angles = [(27.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
     belief.read(wire.once, wire)
-    belief.foresee = foreseen(128.51)
-    wire.angles = [(128.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
+    belief.foresee = foreseen(129.51)
+    wire.angles = [(129.51, 36.29), (127.51, 36.29), (127.51, 36.29)]
     assert belief.read(wire.once, wire) == Position(127.51, 36.29)
