@@ -106,6 +106,7 @@ PLACES = (
     _page("setup, roomy form", "f8", holds=FORM, engine="place", size=(120, 36)),
     _page("setup, wiring", "f8", "w"),
     _page("pocket", size=POCKET),
+    _page("pocket, map", "m", size=POCKET),
     _page("pocket, passes", "f", holds="PocketPasses/NextList", size=POCKET),
     _page("pocket, pass picked", "f", "enter", holds="PocketPasses/NextList PocketPasses/PocketOffer", size=POCKET),
     _page("pocket, go to", "g", holds="GotoLine/EscField GotoLine/CancelButton", size=POCKET),
@@ -178,7 +179,7 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             calibrate=calibrate_stand_in.make(place.calibrate),
             recordings_file=recordings_in(folder) if "R" in place.keys else None, **settings,
         )  # fmt: skip
-        if place.keys[:1] == ("f3",) and {"i", "u", "M"} & set(place.keys):
+        if {("f3", "i"), ("f3", "u"), ("f3", "M"), ("m",)} & {place.keys[:2]}:
             open_map(app, folder)
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)

@@ -8,12 +8,14 @@ from datetime import timedelta
 
 import map_stand_in
 import pytest
+import stage
 import stand_in
 from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.station.requests import BeginTask, EndMotion, Goto, Jog, Release
 from birdcage.station.task_state import TaskPhase
 from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.panes.signal import SignalPane
+from birdcage_tui.pocket.map import PocketMap
 from birdcage_tui.signal.level import LevelPane
 from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.signal.receiver import ReceiverPane
@@ -379,3 +381,38 @@ def test_nothing_but_glyphs_tells_levels_on_a_poor_terminal():
     picture = [row for row in said.splitlines() if row.count("#") + row.count("=") + row.count("-") > 40]
     assert picture
     assert "▀" not in said
+
+
+def test_a_phone_shows_the_map_until_something_is_wrong():
+    sky = heard(1900)
+
+    async def pressed(app, pilot):
+        texts = [stand_in.text_of(app)]
+        await pilot.press("m")
+        await settle(app, pilot)
+        texts.append(stand_in.text_of(app))
+        region = app.page.query_one(PocketMap).region
+        stand_in.change_to(app, "fault")
+        await settle(app, pilot)
+        texts.append(stand_in.text_of(app))
+        stand_in.change_to(app, "idle")
+        await pilot.press("m")
+        await settle(app, pilot)
+        return *texts, stand_in.text_of(app), region, app.screen.region
+
+    before, shown, wrong, after, region, screen = on_map(pressed, sky, task(sky, left_s=4320.0), size=(40, 12), keys=())
+    for words in ("1900 of 3993, 1 h 12 min left", "loudest 134.0°/32.0°  553", "S T O P", "101W", "m map"):
+        assert words in shown, words
+    assert screen.contains_region(region)
+    assert "Azimuth stalled at 203.1°." in " ".join(wrong.split())
+    assert "1900 of 3993" not in wrong
+    assert "101W" not in before + after
+
+
+def test_a_phone_without_a_map_says_where_one_begins():
+    async def pressed(app, pilot):
+        await pilot.press("m")
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    assert "No map is open." in stage.run(pressed, size=(40, 12))

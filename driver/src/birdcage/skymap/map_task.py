@@ -42,7 +42,7 @@ QUIET_PART = 0.3
 """A quiet dish turns at so much of its speed."""
 MOST_EL_DEG = 85.0
 """Higher up a step across the line of sight is no step of the azimuth any more."""
-RESUME = "Resume it with m on F3 or `birdcage scan --resume`."
+RESUME = "Resume it with u on F3 or `birdcage scan --resume`."
 
 Listening = Generator[Step, StepResult, MapSample | None]
 

@@ -13,6 +13,13 @@ def can_list(context: CommandContext) -> str | None:
     return None if PAGE in context.scopes else "Only below 80x24. Larger: Passes (7)."
 
 
+def can_see_map(context: CommandContext) -> str | None:
+    """Return why there is no map to look at."""
+    return (
+        can_list(context) or ("" if context.has_map else "No map is open. F3 of a larger terminal begins one.") or None
+    )
+
+
 def can_walk(context: CommandContext) -> str | None:
     """Return why the list cannot be walked."""
     return can_list(context) or (None if LIST[0] in context.scopes else "f lists the passes first.")
@@ -32,6 +39,8 @@ def can_pick(context: CommandContext) -> str | None:
 POCKET = (
     Command("pocket-passes", ("f",), "f", "Next passes", "List the next passes in reach, to follow one.", "Passes",
             can_list, "passes", (PAGE,), page=PAGE),
+    Command("pocket-map", ("m",), "m", "Map of the sky", "Show the map that is open on F3, or the readings again.",
+            "Map", can_see_map, where=(PAGE,), page=PAGE),
     Command("pocket-pass-up", ("up", "k"), "↑ k", "Pass above", "Select the row above.", "Passes", can_walk,
             where=LIST, page=PAGE),
     Command("pocket-pass-down", ("down", "j"), "↓ j", "Pass below", "Select the row below.", "Passes", can_walk,

@@ -9,6 +9,7 @@ from birdcage_tui.feeds.signal_feed import STEADY
 from birdcage_tui.panes.next import NextPane
 from birdcage_tui.panes.sky import SkyPane
 from birdcage_tui.pocket.keys import PocketKeys, StopBar
+from birdcage_tui.pocket.map import PocketMap
 from birdcage_tui.pocket.passes import PocketPasses
 from birdcage_tui.pocket.pocket_layout import PocketLayout, arrange
 from birdcage_tui.pocket.reading import PocketReading, wrong_rows
@@ -24,7 +25,7 @@ class PocketPage(Page):
 
     WATCHES = frozenset({"position", STEADY})
     RATE_HZ = 2.0
-    HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes."
+    HELP = "The pocket view. Arrows step the dish, - and + change the step. f lists passes, m shows the map of the sky."
 
     def __init__(self) -> None:
         super().__init__(id="page-pocket")
@@ -39,6 +40,7 @@ class PocketPage(Page):
                 yield PocketSignal()
                 yield NextPane()
             yield SkyPane()
+        yield PocketMap()
         yield PocketPasses()
         yield PocketKeys()
         yield StopBar()
@@ -46,7 +48,9 @@ class PocketPage(Page):
     def show(self, view: View) -> None:
         """Give the room to what has something to show, then draw."""
         self._tone.resume()
-        self.query_one("#pocket-body").display = not self.query_one(PocketPasses).keep()
+        listed = self.query_one(PocketPasses).keep()
+        mapped = self.query_one(PocketMap).keep(view, listed=listed)
+        self.query_one("#pocket-body").display = not (listed or mapped)
         width, height = self.size
         if width and height:
             layout = arrange(
@@ -59,9 +63,14 @@ class PocketPage(Page):
         super().show(view)
 
     def do(self, command: str) -> bool:
-        """Open the list of passes, or turn the tone on or off."""
+        """Open the list of passes, show or hide the map, turn the tone on or off."""
         if command == "signal-tone":
             self._tone.switch()
+            return True
+        if command == "pocket-map":
+            shown = self.query_one(PocketMap)
+            shown.is_wanted = not shown.is_wanted
+            self.host.paint()
             return True
         if command == "pocket-passes":
             self.query_one(PocketPasses).open()

@@ -37,6 +37,8 @@ MENDS = {"place-set": "L place", "elements-add": "I add"}
 """What the pocket view names as missing, and has a key for."""
 TONE = ("signal-tone", "t tone")
 """Where there is room for one more."""
+MAP = ("pocket-map", "m map")
+"""Where one is open."""
 ROOMY = 44
 """Columns from which the row of commands keeps off the edges."""
 STEP_WIDTH = 13
@@ -61,6 +63,8 @@ def more_keys(view: View, width: int) -> list[tuple[str, str]]:
     keys = list(SKEWED if has_skew(view) else MORE)
     if can_release(view) is None:
         keys = [("release", _release_words(view)), *keys[2:]]
+    if view.map is not None:
+        keys.insert(len(keys) - 2, MAP)
     if resume_words(view):
         keys.insert(1 if keys[0][0] == "release" else 0, ("resume", "U resume"))
     finding = worst(view)

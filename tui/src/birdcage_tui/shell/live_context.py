@@ -77,6 +77,11 @@ class LiveContext:
         return self._host.sky.now
 
     @property
+    def has_map(self) -> bool:
+        """Whether a map of the sky is open."""
+        return self._host.maps.book.shown is not None
+
+    @property
     def horizon(self) -> HorizonState:
         """The line of trees and roofs."""
         return self._host.horizon.state

@@ -62,6 +62,10 @@ class CommandContext(Protocol):
         """What is up, and which passes come; None before it was first worked out."""
 
     @property
+    def has_map(self) -> bool:
+        """Whether a map of the sky is open."""
+
+    @property
     def horizon(self) -> HorizonState:
         """The line of trees and roofs, as it counts now."""
 

@@ -114,14 +114,14 @@ def value_words(shown: MapShown, value: float) -> str:
     return f"{value:.{digits}f}"
 
 
-def readout(shown: MapShown, cell: int, slots: Sequence[SlotPlace]) -> list[str]:
-    """Return what is known of a cell, what counts most first."""
+def readout(shown: MapShown, cell: int, slots: Sequence[SlotPlace], *, brief: bool = False) -> list[str]:
+    """Return what is known of a cell, what counts most first; `brief`: in some 40 columns."""
     x_deg, y_deg = shown.plan.at(cell)
     sample, value = shown.samples.get(cell), shown.value(cell)
     if shown.plan.frame is MapFrame.TARGET:
         where = f"{x_deg:+.2f}° right, {y_deg:+.2f}° up"
     else:
-        where = f"az {x_deg % 360.0:.2f}° el {y_deg:.2f}°"
+        where = f"{x_deg % 360.0:.1f}°/{y_deg:.1f}°" if brief else f"az {x_deg % 360.0:.2f}° el {y_deg:.2f}°"
     if value is None:
         return [where, "not heard", *_nearest(shown, x_deg, y_deg, slots)]
     told = [where, f"{value_words(shown, value)} {shown.sky.unit}"]

@@ -150,6 +150,11 @@ class View:
     """Whether that program is gone, and no other was found."""
 
     @property
+    def has_map(self) -> bool:
+        """Whether a map of the sky is open."""
+        return self.map is not None
+
+    @property
     def position_age_s(self) -> float | None:
         """How old the last position is; None when there is none."""
         position = self.state.position

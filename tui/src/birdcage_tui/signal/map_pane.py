@@ -21,7 +21,7 @@ from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.map_cuts import draw_column_cut, draw_row_cut
 from birdcage_tui.signal.map_inks import colours_for, glyph, inks_of, pair
-from birdcage_tui.signal.map_layout import BAR, MapLayout
+from birdcage_tui.signal.map_layout import BAR, SMALL, MapLayout
 from birdcage_tui.signal.map_marks import SUN_SIGN, draw_beam
 from birdcage_tui.signal.map_overlay import MapOverlay
 from birdcage_tui.signal.map_picture import MapPicture
@@ -31,7 +31,7 @@ from birdcage_tui.widgets.pane import Pane
 
 EMPTY = "No map yet. m maps the sky, M lists the maps that are kept."
 LOADING = "The map begins with its first direction."
-SMALL = "Too small for a map."
+NO_ROOM = "Too small for a map."
 NEXT = "□"
 LEGEND = "◆ satellite  ─ horizon  ·· Sun  ◉ dish, beam  □ next"
 MOVES = {"map-left": (-1, 0), "map-right": (1, 0), "map-up": (0, 1), "map-down": (0, -1), "map-far-left": (-10, 0),
@@ -125,7 +125,7 @@ class MapPane(Pane, can_focus=True):
             return
         layout = MapLayout.of(shown.plan, cells.width, cells.height, view.settings.cell_aspect, cuts=self.cuts)
         if layout is None:
-            cells.put(0, 0, shorten(SMALL, cells.width), "dim")
+            cells.put(0, 0, shorten(NO_ROOM, cells.width), "dim")
             return
         self._layout = layout
         self._head(cells, shown, ink, words)
@@ -298,7 +298,7 @@ def _bottom(
     x = 1
     if not focused:
         x = cells.put(x, y, "loudest", "dim") + 1
-    for index, each in enumerate(readout(shown, at, slots)):
+    for index, each in enumerate(readout(shown, at, slots, brief=cells.width < SMALL[0])):
         if x + cell_len(each) > cells.width:
             break
         x = cells.put(x, y, each, "strong" if index < 2 else "text") + 2
