@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 
 from birdcage_tui.drawing.canvas import Braille, Cells
 from birdcage_tui.shown.map_book import MapShown
@@ -15,25 +16,33 @@ Points = Sequence[tuple[float, float] | None]
 
 def draw_row_cut(cells: Cells, shown: MapShown, chart: MapChart, cell: int, at: tuple[int, int], height: int) -> None:
     """Draw the values of the cursor's row under the picture, over the same columns, the higher the louder."""
-    if shown.span is None:
-        return
-    values = shown.grid[cell // shown.plan.columns].tolist()
-    canvas, dots, high = Braille(chart.width, height), chart.width * 2.0 / len(values), height * 4 - 1
-    _draw(canvas, [_point((index + 0.5) * dots, (1.0 - part) * high, part)
-                   for index, part in enumerate(_parts(shown.span, values))])  # fmt: skip
-    canvas.onto(cells, *at)
-    _mark(cells, shown, shown.span, cell, (at[0] + int(chart.spot_of(cell)[0]), at[1] + height - 1), at)
+    if shown.span is not None:
+        _row_lines(shown, chart, cell // shown.plan.columns, height).onto(cells, *at)
+        _mark(cells, shown, shown.span, cell, (at[0] + int(chart.spot_of(cell)[0]), at[1] + height - 1), at)
 
 
 def draw_column_cut(cells: Cells, shown: MapShown, chart: MapChart, cell: int, at: tuple[int, int], width: int) -> None:
     """Draw the values of the cursor's column beside the picture, over the same rows, further right the louder."""
-    if shown.span is None:
-        return
-    values = shown.grid[::-1, cell % shown.plan.columns].tolist()
+    if shown.span is not None:
+        _column_lines(shown, chart, cell % shown.plan.columns, width).onto(cells, *at)
+
+
+@lru_cache(maxsize=2)  # frames are many, and each draws the same until another direction is heard
+def _row_lines(shown: MapShown, chart: MapChart, row: int, height: int) -> Braille:
+    values = shown.grid[row].tolist()
+    canvas, dots, high = Braille(chart.width, height), chart.width * 2.0 / len(values), height * 4 - 1
+    parts = enumerate(_parts(shown.span or (0.0, 1.0), values))
+    _draw(canvas, [_point((index + 0.5) * dots, (1.0 - part) * high, part) for index, part in parts])
+    return canvas
+
+
+@lru_cache(maxsize=2)
+def _column_lines(shown: MapShown, chart: MapChart, column: int, width: int) -> Braille:
+    values = shown.grid[::-1, column].tolist()
     canvas, dots, wide = Braille(width, chart.height), chart.height * 4.0 / len(values), width * 2 - 1
-    _draw(canvas, [_point(part * wide, (index + 0.5) * dots, part)
-                   for index, part in enumerate(_parts(shown.span, values))])  # fmt: skip
-    canvas.onto(cells, *at)
+    parts = enumerate(_parts(shown.span or (0.0, 1.0), values))
+    _draw(canvas, [_point(part * wide, (index + 0.5) * dots, part) for index, part in parts])
+    return canvas
 
 
 def _parts(span: tuple[float, float], values: Sequence[float]) -> list[float]:

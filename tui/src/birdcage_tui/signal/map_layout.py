@@ -49,7 +49,7 @@ class MapLayout:
         rows = height - 2 - (0 if small else 1) - cut_rows
         chart = MapChart.within(plan, room, rows, aspect)
         spare = room - chart.width
-        left = axis + (spare // 2 if not cut_columns else 0)
+        left = axis + spare // 2
         at = left + chart.width + 1 + (cut_columns + 1 if cut_columns else 0)
         return cls(chart, left, 1 + (rows - chart.height) // 2, axis, cut_rows, cut_columns, at if bar else 0)
 

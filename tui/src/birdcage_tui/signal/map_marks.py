@@ -23,21 +23,21 @@ MARK, SUN_SIGN = "◆", "☼"
 
 
 @dataclass(frozen=True, slots=True)
-class SlotName:
-    """A satellite of the arc, or several in one place."""
+class NamedSpot:
+    """A satellite of the arc, or the target of a map around one: then its angles are offsets."""
 
     label: str
     az_deg: float
     el_deg: float
 
 
-def slots_over(place: SitePlace) -> tuple[SlotName, ...]:
+def slots_over(place: SitePlace) -> tuple[NamedSpot, ...]:
     """Return the slots in Ku band that stand over a place, as they are seen."""
     from birdcage.signal.slots_heard import seen_from
     from birdcage.sky.observer import Observer
 
     seen = seen_from(Observer(place.latitude_deg, place.longitude_deg), "radio")
-    return tuple(SlotName(each.slot.label, each.az_deg, each.el_deg) for each in seen)
+    return tuple(NamedSpot(each.slot.label, each.az_deg, each.el_deg) for each in seen)
 
 
 def sun_path(place: SitePlace, day: datetime) -> list[tuple[float, float]]:
@@ -77,13 +77,11 @@ def draw_sun_path(overlay: MapOverlay, chart: MapChart, path: Sequence[tuple[flo
     overlay.lines(canvas)
 
 
-def draw_slots(overlay: MapOverlay, chart: MapChart, slots: Sequence[SlotName], beam_deg: float) -> None:
-    """Mark every satellite in the region, and name as many as have room, so that no name lies on another.
+def draw_names(overlay: MapOverlay, chart: MapChart, slots: Sequence[NamedSpot], beam_deg: float) -> None:
+    """Mark every one in the region, and name as many as have room, so that no name lies on another.
 
     A name stands above or below the spot, which is about as high as the beam is wide.
     """
-    if chart.plan.frame is MapFrame.TARGET:
-        return
     spots = [(*chart.spot(each.az_deg, each.el_deg), each.label) for each in slots]
     inside = sorted((x, y, label) for x, y, label in spots if chart.holds(x, y))
     for x, y, _label in inside:

@@ -7,12 +7,13 @@ from datetime import datetime
 
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from birdcage.sky.horizon import HorizonMask
+from birdcage.skymap.plan import MapFrame
 
 from birdcage_tui.shown.map_book import MapShown, map_task
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.map_chart import MapChart
-from birdcage_tui.signal.map_marks import SlotName, draw_horizon, draw_slots, draw_sun_path, slots_over, sun_path
+from birdcage_tui.signal.map_marks import NamedSpot, draw_horizon, draw_names, draw_sun_path, slots_over, sun_path
 from birdcage_tui.signal.map_overlay import MapOverlay
 from birdcage_tui.signal.map_raster import raster
 from birdcage_tui.signal.map_surface import MapSurface
@@ -29,7 +30,7 @@ class MapPicture:
         self._levels: MapSurface | None = None
         self._marked: tuple[MapChart, SitePlace | None, HorizonMask, float, float] | None = None
         self._marks = MapOverlay(0, 0)
-        self._slots: tuple[SitePlace | None, tuple[SlotName, ...]] = (None, ())
+        self._slots: tuple[SitePlace | None, tuple[NamedSpot, ...]] = (None, ())
         self._path: tuple[SitePlace | None, float, Sequence[tuple[float, float]]] = (None, 0.0, ())
 
     def surface(
@@ -52,9 +53,12 @@ class MapPicture:
         if self._marked != now:
             self._marked, self._marks = now, MapOverlay(chart.width, chart.height)
             draw_horizon(self._marks, chart, view.horizon.mask)
-            if place is not None:
+            if chart.plan.frame is MapFrame.TARGET:
+                target = NamedSpot(str(shown.sky.about.get("target") or ""), 0.0, 0.0)
+                draw_names(self._marks, chart, [target], beam_deg)
+            elif place is not None:
                 draw_sun_path(self._marks, chart, self._sun_path(place, when))
-                draw_slots(self._marks, chart, self._slots_over(place), beam_deg)
+                draw_names(self._marks, chart, self._slots_over(place), beam_deg)
         return self._marks
 
     def _sun_path(self, place: SitePlace, when: datetime) -> Sequence[tuple[float, float]]:
@@ -63,7 +67,7 @@ class MapPicture:
             self._path = (place, bucket, sun_path(place, when))
         return self._path[2]
 
-    def _slots_over(self, place: SitePlace) -> tuple[SlotName, ...]:
+    def _slots_over(self, place: SitePlace) -> tuple[NamedSpot, ...]:
         if self._slots[0] != place:
             self._slots = (place, slots_over(place))
         return self._slots[1]
