@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import map_stand_in
 import numpy as np
 import pytest
 from birdcage.base.clock import VirtualClock
+from birdcage.station.control_messages import as_line
 from birdcage.station.events import TaskChanged
+from birdcage.station.json_form import event_from_json, to_json
 from birdcage.station.task_state import TaskPhase
-from birdcage_tui.feeds.map_feed import AGAIN_S, MapFeed
+from birdcage_tui.feeds.map_feed import AGAIN_S, DETAILS_S, MapFeed
 from stand_in import Station, at_rest
 
 KEY = map_stand_in.KEY
@@ -89,6 +92,20 @@ def test_what_was_missed_comes_from_the_file_and_not_more_often_than_that(tmp_pa
     assert len(house.waiting) == 1
 
 
+def test_time_and_scatter_of_the_newest_come_from_the_file_once_a_minute(tmp_path):
+    path = map_stand_in.keep(tmp_path / "signal.sqlite", heard(100))
+    house = House(path, map_stand_in.task(heard(100)))
+    house.work()
+    map_stand_in.keep(path, heard(110))
+    house.tell(map_stand_in.task(heard(110)), after_s=AGAIN_S)
+    assert house.waiting == []
+    newest = heard(110).samples[-1].cell
+    assert newest not in house.shown.samples
+    house.tell(map_stand_in.task(heard(110)), after_s=DETAILS_S)
+    house.work()
+    assert house.shown.samples[newest].n == 10
+
+
 def test_its_end_is_told_and_read_at_once(tmp_path):
     sky = heard(50)
     house = House(map_stand_in.keep(tmp_path / "signal.sqlite", sky), map_stand_in.task(sky))
@@ -158,3 +175,12 @@ def test_other_tasks_are_none_of_it(tmp_path):
     house.tell(replace(map_stand_in.task(heard(3)), kind="sweep"))
     assert house.waiting == []
     assert house.shown is None
+
+
+def test_a_map_of_another_program_is_drawn_as_it_tells(tmp_path):
+    sky = heard(100)
+    house = House(map_stand_in.keep(tmp_path / "signal.sqlite", sky), map_stand_in.task(sky))
+    house.work()
+    told = TaskChanged(house.clock.monotonic(), house.clock.utc(), map_stand_in.task(heard(103)))
+    house.feed._on_event(event_from_json(json.loads(as_line(to_json(told)))))
+    assert house.shown.heard == 103

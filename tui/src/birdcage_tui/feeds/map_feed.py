@@ -19,8 +19,8 @@ from birdcage.station.task_state import TaskPhase
 
 from birdcage_tui.shown.map_book import MapBook
 
-AGAIN_S = 5.0
-"""Between two readings of the file for the same map: what the station tells is drawn at once anyway."""
+AGAIN_S, DETAILS_S = 5.0, 60.0
+"""Between two readings of the file for the same map: where levels are missing, and where only times are."""
 Found = TypeVar("Found")
 Work = Callable[[], None]
 Begin = Callable[[Work], None]
@@ -80,8 +80,11 @@ class MapFeed:
         else:
             self.ended.pop(key, None)
         wanted = self.book.take(task)
+        shown, pause_s = self.book.shown, AGAIN_S
+        if wanted is None and shown is not None and shown.key == key and shown.heard > len(shown.samples):
+            wanted, pause_s = key, DETAILS_S
         now = self._clock.monotonic()
-        if wanted is not None and now - self._read_at.get(wanted, now - AGAIN_S) >= AGAIN_S:
+        if wanted is not None and now - self._read_at.get(wanted, now - pause_s) >= pause_s:
             self._read_at[wanted] = now
             self._read(wanted)
 
