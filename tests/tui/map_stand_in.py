@@ -1,9 +1,9 @@
 """A sky as a small dish hears it, maps of it in a file, and the app around one that is under way."""
 
+import asyncio
 import math
 import random
 from dataclasses import replace
-from datetime import timedelta
 
 import stand_in
 from birdcage.base.geometry import separation
@@ -73,4 +73,27 @@ def app_with(heard_map, *, under_way=None, key=KEY, **settings):
     return app
 
 
-HOUR = timedelta(hours=1)
+def on_map(test, sky, task=None, *, size=(120, 36), state=None, keys=("f3",), view=True, **settings):
+    """Return what `test(app, pilot)` returns on F3 with this map."""
+
+    async def body():
+        app = app_with(sky, under_way=task, **settings)
+        if state is not None:
+            app.station.state = replace(app.station.state, **state)
+        async with app.run_test(size=size) as pilot:
+            await pilot.pause()
+            for key in keys:
+                await pilot.press(key)
+                await pilot.pause()
+            if view and task is None:
+                app.page._show_map()
+            await settle(app, pilot)
+            return await test(app, pilot)
+
+    return asyncio.run(body())
+
+
+async def settle(app, pilot):
+    app.paint()
+    await pilot.pause()
+    await pilot.pause()
