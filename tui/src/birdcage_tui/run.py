@@ -35,6 +35,7 @@ from birdcage_tui.drawing.terminal_cells import ASPECT
 from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.clock_watch import make_check
 from birdcage_tui.feeds.horizon_file import ConfigHorizon
+from birdcage_tui.feeds.map_lessons import MapLessons
 from birdcage_tui.feeds.network_source import StationNetwork
 from birdcage_tui.feeds.ready_watch import KeptChecks, KeptSteps
 from birdcage_tui.feeds.settings import AppOptions
@@ -294,6 +295,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         network=network,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
+        lessons=MapLessons(load_again, paths),
         clock_check=make_check(clock, paths),
         ready=None if options.demo else KeptChecks(load_again, paths, clock),  # a demo lacks nothing
         keep_place=keep_place,

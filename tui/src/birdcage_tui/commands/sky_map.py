@@ -9,7 +9,7 @@ from birdcage_tui.commands.table import Command
 from birdcage_tui.shown.allowed import CommandContext
 from birdcage_tui.shown.map_book import map_task
 
-WHERE, INSIDE = ("signal",), ("map",)
+WHERE, INSIDE, OFFER = ("signal",), ("map",), ("map-offer",)
 
 
 def can_pause(context: CommandContext) -> str | None:
@@ -20,6 +20,10 @@ def can_pause(context: CommandContext) -> str | None:
 
 def _inside(name: str, keys: tuple[str, ...], shown: str, title: str, text: str) -> Command:
     return Command(name, keys, shown, title, text, "Map", where=INSIDE, page="signal")
+
+
+def _offer(name: str, keys: tuple[str, ...], shown: str, title: str, text: str, footer: str = "") -> Command:
+    return Command(name, keys, shown, title, text, "Horizon of the map", where=OFFER, page="signal", footer=footer)
 
 
 SKY_MAP = (
@@ -54,6 +58,10 @@ SKY_MAP = (
         "map-cuts", ("d",), "d", "Cuts of the map", "Draw the cursor's row and column along the edges, or not.", "Map",
         where=WHERE,
     ),
+    Command(
+        "map-lessons", ("y",), "y", "What this map teaches …",
+        "The horizon, north and tilt, or beam and noise. Nothing is kept before you accept it.", "Map", where=WHERE,
+    ),
     _inside("map-left", ("left", "h"), "← h", "Cursor left", "One direction of the map."),
     _inside("map-right", ("right", "l"), "→ l", "Cursor right", "One direction of the map."),
     _inside("map-up", ("up", "k"), "↑ k", "Cursor up", "One direction of the map."),
@@ -62,6 +70,12 @@ SKY_MAP = (
     _inside("map-far-right", ("shift+right", "end"), "End", "Cursor far right", "Ten directions of the map."),
     _inside("map-far-up", ("shift+up", "pageup"), "PgUp", "Cursor far up", "Ten directions of the map."),
     _inside("map-far-down", ("shift+down", "pagedown"), "PgDn", "Cursor far down", "Ten directions of the map."),
+    _offer("map-offer-left", ("left", "h"), "← h", "Point before", "Of a proposed horizon, the one to the left."),
+    _offer("map-offer-right", ("right", "l"), "→ l", "Next point", "Of a proposed horizon, the one to the right."),
+    _offer("map-offer-accept", ("a",), "a", "Accept the point", "Or take that back, and go to the next.", "accept"),
+    _offer("map-offer-all", ("A",), "A", "Accept all", "Accept every point of the proposed horizon, or none."),
+    _offer("map-offer-keep", ("enter",), "Enter", "Keep the points", "Put what is accepted into the horizon.", "keep"),
+    _offer("map-offer-leave", ("q",), "q", "Leave the proposal", "Take it off the map. Nothing is kept."),
     Command(
         "map-goto", ("g", "enter"), "g Enter", "Point there …",
         "Offer to point the dish at the cursor. Enter sends it.", "Map", where=INSIDE, page="signal", footer="point",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from typing import TYPE_CHECKING, Protocol
 
@@ -10,6 +10,7 @@ from birdcage_tui.shown.calibration import CalibrateNow
 
 if TYPE_CHECKING:
     from birdcage.calibration.candidates import CalibrationObject
+    from birdcage.calibration.peak import MeasuredPeak
 
 
 ABSENT = "This app has no file for calibrations. Use `birdcage calibrate` in a terminal."
@@ -37,6 +38,9 @@ class CalibrateSource(Protocol):
 
     def take(self) -> None:
         """Peaked here."""
+
+    def put(self, peaks: Sequence[MeasuredPeak]) -> None:
+        """Save peaks that were measured elsewhere, as on a map of the sky."""
 
     def remove(self, *numbers: int) -> None:
         """Forget peaks, all of them without a number."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import queue
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from typing import TYPE_CHECKING
 
@@ -125,6 +125,16 @@ class GuideDesk:
             peak = guide.take()
             self._stale = True
             return f"Peak {peak.number} saved, ±{peak.sigma_deg:.2f}°."
+
+        self._order(deed)
+
+    def put(self, peaks: Sequence[MeasuredPeak]) -> None:
+        """Save peaks that were measured elsewhere, as on a map of the sky."""
+
+        def deed(guide: Guide) -> str:
+            kept = [guide.put_back(peak) for peak in peaks]
+            self._stale = True
+            return f"Saved {len(kept)} peaks of the map, {kept[0].number} to {kept[-1].number}." if kept else ""
 
         self._order(deed)
 

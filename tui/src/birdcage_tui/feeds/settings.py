@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from birdcage.sky.horizon import HorizonMask
 
     from birdcage_tui.feeds.calibrate_feed import MakeCalibrate
+    from birdcage_tui.feeds.map_lessons import MapLessons
     from birdcage_tui.feeds.network_source import NetworkSource
     from birdcage_tui.feeds.ready_watch import ReadySource
     from birdcage_tui.feeds.setup_engine import SetupEngine
@@ -96,6 +97,8 @@ class AppOptions:
     """Finds out how good this machine's clock is, on a thread after the first frame; None: nothing does."""
     ready: ReadySource | None = field(default=None, compare=False)
     """Finds what the station lacks, on a thread after the first frame; None: nothing does."""
+    lessons: MapLessons | None = field(default=None, compare=False)
+    """What the lessons of a map take from the settings, and keep there; None: there are none."""
     keep_place: Callable[[float, float, float, str], None] | None = field(default=None, compare=False)
     """Writes latitude, longitude, height in metres and name of the dish's place; None: nowhere. ConfigError."""
     first_page: str = "dashboard"

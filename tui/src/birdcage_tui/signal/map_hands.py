@@ -20,6 +20,7 @@ from birdcage_tui.signal.ask_map import estimated, map_question, request_of, tar
 from birdcage_tui.signal.map_inks import NIGHT, next_colours
 from birdcage_tui.signal.map_list import maps_question, title_of
 from birdcage_tui.signal.map_pane import MapPane
+from birdcage_tui.signal.map_teach import MapTeach
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.fields_screen import Values
 
@@ -43,6 +44,7 @@ class MapHands:
         """`show`: shows the map on the page; `switch`: gives it the page alone, or takes that back."""
         self._page, self._show, self._switch = page, show, switch
         self._begun = 0
+        self._teach = MapTeach(page)
 
     @property
     def _host(self) -> AppHost:
@@ -78,6 +80,13 @@ class MapHands:
                 self._cut()
             case "map-goto":
                 self._point()
+            case "map-lessons":
+                self._show()
+                self._teach.ask()
+            case "map-offer-keep":
+                self._teach.keep_horizon()
+            case "map-offer-leave":
+                self._pane.withdraw()
             case _:
                 return False
         return True

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import cast
 
 from birdcage.skymap.plan import MapFrame
@@ -16,6 +16,7 @@ from birdcage_tui.drawing.cell_text import cell_len, shorten, wrap
 from birdcage_tui.drawing.themes import DEFAULT, LOOKS
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.map_book import MapShown, map_task
+from birdcage_tui.shown.map_offer import HEADS, MapOffer
 from birdcage_tui.shown.map_words import drift_words, readout, state_words, value_words
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View
@@ -23,6 +24,7 @@ from birdcage_tui.signal.map_cuts import draw_column_cut, draw_row_cut
 from birdcage_tui.signal.map_inks import colours_for, glyph, inks_of, pair
 from birdcage_tui.signal.map_layout import BAR, SMALL, MapLayout
 from birdcage_tui.signal.map_marks import SUN_SIGN, draw_beam
+from birdcage_tui.signal.map_offer_drawing import draw_offer
 from birdcage_tui.signal.map_overlay import MapOverlay
 from birdcage_tui.signal.map_picture import MapPicture
 from birdcage_tui.signal.map_raster import LEVELS
@@ -37,6 +39,11 @@ LEGEND = "◆ satellite  ─ horizon  ·· Sun  ◉ dish, beam  □ next"
 MOVES = {"map-left": (-1, 0), "map-right": (1, 0), "map-up": (0, 1), "map-down": (0, -1), "map-far-left": (-10, 0),
          "map-far-right": (10, 0), "map-far-up": (0, 10), "map-far-down": (0, -10)}  # fmt: skip
 """Columns and rows of the map that a key moves the cursor by."""
+OFFER_KEYS: Mapping[str, Callable[[MapOffer], MapOffer]] = {
+    "map-offer-left": lambda offer: offer.moved(-1), "map-offer-right": lambda offer: offer.moved(1),
+    "map-offer-accept": MapOffer.toggled, "map-offer-all": MapOffer.all_toggled,
+}  # fmt: skip
+"""What a key does to a proposed horizon."""
 
 
 class MapPane(Pane, can_focus=True):
@@ -59,6 +66,8 @@ class MapPane(Pane, can_focus=True):
         self._of = ""
         self._layout: MapLayout | None = None
         self._picture = MapPicture()
+        self.offer: MapOffer | None = None
+        """A horizon that this map proposes, while a person accepts it."""
 
     @property
     def inks(self) -> Mapping[str, Style]:  # type: ignore[override]
@@ -70,10 +79,14 @@ class MapPane(Pane, can_focus=True):
     @property
     def scope(self) -> str:
         """What its commands have in `where`."""
-        return "map"
+        return "map" if self.offer is None else "map-offer"
 
     def do(self, command: str) -> bool:
         """Move the cursor; the page does the rest."""
+        if self.offer is not None and command in OFFER_KEYS:
+            self.offer = OFFER_KEYS[command](self.offer)
+            cast(AppHost, self.app).paint()
+            return True
         if command not in MOVES:
             return self.query_ancestor(Page).do(command)
         self._step(*MOVES[command])
@@ -113,6 +126,8 @@ class MapPane(Pane, can_focus=True):
     def draw(self, cells: Cells, view: View) -> None:
         """Draw head, picture, axes, bar and readout."""
         shown = view.map
+        if self.offer is not None and (shown is None or shown.key != self.offer.key):
+            self.offer = None  # it was another map's
         ink, words = state_words(view)
         self._layout = None
         self._entitle(shown)
@@ -139,6 +154,9 @@ class MapPane(Pane, can_focus=True):
         _bar(cells, layout, shown, plain=plain)
         if at is not None:
             self._at(cells, layout, shown, at)
+        if self.offer is not None:
+            _offered(cells, self.offer)
+            return
         _bottom(cells, shown, at, self._picture.slot_places(place), focused=self.has_focus or self._cell is not None)
 
     def _entitle(self, shown: MapShown | None) -> None:
@@ -155,6 +173,8 @@ class MapPane(Pane, can_focus=True):
 
     def _head(self, cells: Cells, shown: MapShown, ink: str, words: tuple[str, ...]) -> None:
         room = cells.width - 2
+        if self.offer is not None:
+            ink, words = "accent-strong", tuple(each.format(len(self.offer.accepted)) for each in HEADS)
         told = next((each for each in words if cell_len(each) <= room), shorten(words[-1], room))
         x = cells.put(1, 0, told, ink)
         aside = [("dim", f"{shown.sky.about.get('source_label') or shown.sky.source}, {shown.sky.unit}")]
@@ -169,6 +189,9 @@ class MapPane(Pane, can_focus=True):
     def _moving(self, shown: MapShown, layout: MapLayout, view: View, place: SitePlace | None) -> MapOverlay:
         """Draw what is elsewhere in each frame: the Sun, the dish and its beam, the next direction, the cursor."""
         overlay = MapOverlay(layout.chart.width, layout.chart.height)
+        if self.offer is not None:
+            draw_offer(overlay, layout.chart, self.offer)
+            return overlay
         chart, task = layout.chart, map_task(view.state.tasks, shown.key)
         if task is not None and place is not None and chart.plan.frame is MapFrame.AZEL:
             spot = chart.spot(*self._picture.sun(place, view.utc))
@@ -225,7 +248,16 @@ class MapPane(Pane, can_focus=True):
         """Esc leaves the map (the app has stopped the dish first, if it could move)."""
         if event.key == "escape":
             event.stop()
-            self.leave()
+            if self.offer is not None:
+                self.withdraw()
+            else:
+                self.leave()
+
+    def withdraw(self) -> None:
+        """Take the proposed horizon off the map; nothing is kept."""
+        self.offer = None
+        cast(AppHost, self.app).say("The proposed horizon is gone. Nothing was kept.")
+        cast(AppHost, self.app).paint()
 
     def leave(self) -> None:
         """Give the arrows back to the dish."""
@@ -286,6 +318,15 @@ def _bar(cells: Cells, layout: MapLayout, shown: MapShown, *, plain: bool) -> No
         value = high - (high - low) * (row / max(height - 1, 1))
         cells.put(layout.bar + BAR + 1, layout.top + row, value_words(shown, value), "dim")
     cells.put(layout.bar, layout.axis_row, shown.sky.unit, "dim")
+
+
+def _offered(cells: Cells, offer: MapOffer) -> None:
+    """Write what the proposed point under the cursor says."""
+    x = 1
+    for index, each in enumerate(offer.words()):
+        if x + cell_len(each) > cells.width:
+            break
+        x = cells.put(x, cells.height - 1, each, "strong" if index else "text") + 2
 
 
 def _bottom(

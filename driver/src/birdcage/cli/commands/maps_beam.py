@@ -27,15 +27,9 @@ def beam(number: int, keep: bool) -> None:
     """
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.skymap.sun_kept import keep_lesson, lesson_lines, why_not_kept
-    from birdcage.skymap.sun_lesson import teach_sun
 
-    meant = map_meant(number)
-    settings = meant.wants.settings
-    feed = settings.feeds.get(meant.feed)
-    found = teach_sun(
-        meant.sky_map, meant.scale, None if feed is None else feed.middle_hz, meant.observer,
-        settings.tracking.refraction,
-    )  # fmt: skip
+    meant, paths = map_meant(number)
+    found = meant.sun()
     if flags().json:
         tell_json(_values(found, demo=meant.sky_map.demo))
     else:
@@ -45,12 +39,13 @@ def beam(number: int, keep: bool) -> None:
             say(f"Counts became decibels by two known levels, {meant.scale.words(meant.sky_map.unit)}.")
     if not keep:
         return
+    feed = meant.feed
     if feed is None:
-        raise click.UsageError(f"The map was made with the feed {meant.feed}, which birdcage.toml does not have.")
+        raise click.UsageError(f"The map was made with the feed {meant.feed_name}, which birdcage.toml does not have.")
     why = why_not_kept(found)
     if why:
         raise click.UsageError(why)
-    say(keep_lesson(meant.wants.paths.config_file, meant.feed, feed, found))
+    say(keep_lesson(paths.config_file, meant.feed_name, feed, found))
 
 
 def _values(found: SunLesson, *, demo: bool) -> dict[str, object]:

@@ -11,7 +11,8 @@ from birdcage.cli.map_lesson import map_meant
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
-    from birdcage.cli.map_lesson import MapMeant
+    from birdcage.base.config.sections import PlaceSettings
+    from birdcage.base.paths import Paths
     from birdcage.skymap.horizon_lesson import HorizonProposal
 
 
@@ -27,27 +28,22 @@ def horizon(number: int, accept: str | None) -> None:
     as they are in the horizon of the place.
     """
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.skymap.horizon_lesson import teach_horizon
-    from birdcage.skymap.known_sources import observer_of, sources_over
 
-    meant = map_meant(number)
-    refraction = meant.wants.settings.tracking.refraction
-    known = meant.observer is not None or meant.sky_map.place() is not None
-    sources = sources_over(meant.sky_map, observer_of(meant.sky_map, meant.observer), refraction) if known else ()
-    found = teach_horizon(meant.sky_map, sources, meant.wants.beam, meant.scale)
+    meant, paths = map_meant(number)
+    found = meant.horizon()
     if flags().json:
         tell_json(_values(found, demo=meant.sky_map.demo))
     else:
         for point in found.points:
             words = "clear down to here" if point.is_clear else f"±{point.sigma_deg:.1f}°"
             tell(f"{point.az_deg:7.2f} {point.el_deg:6.2f}  {words}")
-        if not known:
+        if not meant.is_place_known:
             say("No place is known, so satellites near the trees can't be told from them.")
     if accept is not None:
-        _keep(found, accept, meant)
+        _keep(found, accept, meant.settings.place, paths)
 
 
-def _keep(found: HorizonProposal, accept: str, meant: MapMeant) -> None:
+def _keep(found: HorizonProposal, accept: str, place: PlaceSettings, paths: Paths) -> None:
     from birdcage.base.places import keep_horizon
     from birdcage.cli.say import say
     from birdcage.sky.horizon import HorizonMask, horizon_words
@@ -61,9 +57,8 @@ def _keep(found: HorizonProposal, accept: str, meant: MapMeant) -> None:
             raise click.UsageError(f"{accept!r} is no list of azimuths. Type all, or 160,175.5.") from None
         except LookupError as wrong:
             raise click.UsageError(str(wrong)) from None
-    place = meant.wants.settings.place
     mask = with_accepted(HorizonMask(place.horizon), found.points, chosen)
-    saved = keep_horizon(meant.wants.paths, place, mask.points)
+    saved = keep_horizon(paths, place, mask.points)
     say(f"Kept for {saved or 'this place'}: {horizon_words(mask.points)}.")
 
 

@@ -30,20 +30,17 @@ def north(number: int, within_deg: float, calibrate: bool) -> None:
     about equally well. The offset in elevation stays what it is: a map of the arc hardly tells it from a tilt.
     """
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.skymap.arc_lesson import in_use, teach_north
-    from birdcage.skymap.known_sources import arc_over, observer_of
+    from birdcage.skymap.arc_lesson import in_use
 
-    meant = map_meant(number)
-    observer = observer_of(meant.sky_map, meant.observer)
-    slots = arc_over(observer, meant.wants.settings.tracking.refraction)
-    found = teach_north(meant.sky_map, slots, meant.wants.beam, meant.scale, within_deg)
+    meant, paths = map_meant(number)
+    found = meant.north(within_deg)
     if flags().json:
         tell_json(_values(found, demo=meant.sky_map.demo))
     else:
         for line in _lines(found, in_use(meant.sky_map).az_offset_deg):
             tell(line)
     if calibrate:
-        say(_keep(found, meant.wants.paths))
+        say(_keep(found, paths))
 
 
 def _keep(found: ArcLesson, paths: Paths) -> str:

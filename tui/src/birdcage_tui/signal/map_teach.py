@@ -1,0 +1,192 @@
+"""What the map that is shown teaches: horizon, north and tilt, beam and noise, each offered and kept when accepted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING, TypeVar
+
+from birdcage.base.errors import BirdcageError
+from birdcage.base.geometry import shortest_turn
+from birdcage.sky.horizon import horizon_words
+from birdcage.station.requests import ApplySettings
+
+from birdcage_tui.feeds.calibrate_feed import ABSENT
+from birdcage_tui.shown.map_offer import MapOffer
+from birdcage_tui.shown.view import YOU
+from birdcage_tui.signal.map_pane import MapPane
+from birdcage_tui.widgets.choice_screen import ChoiceRow, ChoiceScreen
+from birdcage_tui.widgets.dialogs import QuestionScreen
+
+if TYPE_CHECKING:
+    from birdcage.skymap.arc_lesson import ArcLesson
+    from birdcage.skymap.horizon_lesson import HorizonProposal
+    from birdcage.skymap.lesson_inputs import LessonInputs
+    from birdcage.skymap.sun_lesson import SunLesson
+
+    from birdcage_tui.feeds.app_host import AppHost
+    from birdcage_tui.shown.map_book import MapShown
+    from birdcage_tui.widgets.page import Page
+
+Found = TypeVar("Found")
+ROWS = (
+    ChoiceRow("horizon", "Horizon", "trees and roofs, accepted point by point"),
+    ChoiceRow("north", "North and tilt", "by the arc of satellites, handed to Calibrate"),
+    ChoiceRow("beam", "Beam, system temperature and G/T", "by the Sun, kept with the feed"),
+)
+WORDS = "Nothing is kept before you accept it."
+NO_MAP = "No map is open. M lists those that are kept, m begins one."
+NO_SETTINGS = "This app has no settings to keep it in. Use `birdcage maps` in a terminal."
+NOTHING = "No point is accepted, so the horizon stays as it is."
+
+
+class MapTeach:
+    """`page` is where the map is seen."""
+
+    def __init__(self, page: Page) -> None:
+        self._page = page
+        self._at_work = False
+
+    @property
+    def _host(self) -> AppHost:
+        return self._page.host
+
+    @property
+    def _pane(self) -> MapPane:
+        return self._page.query_one(MapPane)
+
+    def ask(self) -> None:
+        """Ask which lesson."""
+        if self._host.view().map is None:
+            self._host.say(NO_MAP)
+        elif self._host.settings.lessons is None:
+            self._host.say(NO_SETTINGS)
+        elif self._at_work:
+            self._host.say("A lesson is being computed. It takes some seconds.")
+        else:
+            self._page.app.push_screen(ChoiceScreen("What this map teaches", ROWS, WORDS), self._begin)
+
+    def _begin(self, which: str | None) -> None:
+        view = self._host.view()
+        shown, lessons = view.map, self._host.settings.lessons
+        if which is None or shown is None or lessons is None:
+            return
+        inputs = partial(lessons.inputs, shown.sky, view.state.beam)
+        match which:
+            case "horizon":
+                self._compute(lambda: inputs().horizon(), partial(self._offer, shown))
+            case "north":
+                self._compute(lambda: inputs().north(), self._offer_north)
+            case _:
+
+                def sun() -> tuple[LessonInputs, SunLesson]:
+                    told = inputs()
+                    return told, told.sun()
+
+                self._compute(sun, self._offer_beam)
+
+    def _compute(self, work: Callable[[], Found], tell: Callable[[Found], object]) -> None:
+        self._at_work = True
+        self._host.say("Computing …")
+
+        def told(found: Found | str) -> None:
+            self._at_work = False
+            if isinstance(found, str):
+                self._host.say(found)
+            else:
+                tell(found)
+
+        self._host.maps.do_beside(work, told)
+
+    # The horizon.
+
+    def _offer(self, shown: MapShown, found: HorizonProposal) -> None:
+        now = self._host.view().map
+        if now is None or now.key != shown.key:
+            self._host.say("Another map is shown now, so its horizon is not proposed.")
+            return
+        self._pane.offer = MapOffer(shown.key, found.points)
+        self._pane.focus()
+        self._host.say(f"{len(found.points)} points proposed. a accepts one, A all, Enter keeps them.")
+        self._host.paint()
+
+    def keep_horizon(self) -> None:
+        """Put the points that were accepted into the horizon of the place."""
+        from birdcage.skymap.horizon_accepted import with_accepted
+
+        offer = self._pane.offer
+        if offer is None:
+            return
+        if not offer.accepted:
+            self._host.say(NOTHING)
+            return
+        horizon = self._host.horizon
+        try:
+            horizon.draw(with_accepted(horizon.mask, offer.points, offer.accepted))
+        except BirdcageError as wrong:
+            self._host.say(str(wrong))
+            return
+        self._pane.offer = None
+        self._host.say(f"Saved: {horizon_words(horizon.mask.points)}. z on F2 takes it back.")
+        self._host.paint()
+
+    # North and tilt.
+
+    def _offer_north(self, found: ArcLesson) -> None:
+        from birdcage.calibration.map_peaks import peaks_of_map
+
+        peaks = peaks_of_map(found)
+
+        def answered(agreed: bool | None) -> None:
+            if not agreed:
+                return
+            calibrate = self._host.calibrate
+            calibrate.open()
+            if calibrate.source is None:
+                self._host.say(ABSENT)
+                return
+            calibrate.source.put(peaks)
+            self._host.say(f"{len(peaks)} peaks handed to Calibrate. F8 C shows the fit; a applies it.")
+
+        yes = f"hand {len(peaks)} peaks to Calibrate"
+        self._page.app.push_screen(QuestionScreen("North and tilt by the arc", north_words(found), yes), answered)
+
+    # Beam and noise.
+
+    def _offer_beam(self, found: tuple[LessonInputs, SunLesson]) -> None:
+        from birdcage.skymap.sun_kept import lesson_lines, why_not_kept
+
+        inputs, lesson = found
+        lines, why = lesson_lines(lesson), why_not_kept(lesson)
+        if why:
+            self._host.say(f"{lines[0]}. {why}")
+            return
+
+        def answered(agreed: bool | None) -> None:
+            lessons = self._host.settings.lessons
+            if not agreed or lessons is None:
+                return
+            try:
+                words, settings = lessons.keep_beam(inputs, lesson)
+            except BirdcageError as wrong:
+                self._host.say(str(wrong))
+                return
+            self._host.ask(ApplySettings(settings, YOU))
+            self._host.say(words)
+
+        yes = f"keep beam and noise with the feed {inputs.feed_name}"
+        self._page.app.push_screen(QuestionScreen("Beam and noise by the Sun", "\n".join(lines), yes), answered)
+
+
+def north_words(found: ArcLesson) -> str:
+    """Return what was found, for a question."""
+    stands, (turn, to_north, to_west) = found.alignment, found.sigmas_deg
+    heard = ", ".join(each.seen.slot.label for each in found.slots)
+    offset_deg = shortest_turn(0.0, stands.az_offset_deg)
+    return (
+        f"Azimuth offset {offset_deg:+.2f}° ±{turn:.2f}°. Tilt {math.hypot(stands.an_deg, stands.aw_deg):.2f}°: "
+        f"{stands.an_deg:+.2f}° ±{to_north:.2f}° to the north, {stands.aw_deg:+.2f}° ±{to_west:.2f}° to the west.\n"
+        f"Measured: {heard}. The offset in elevation is held. Calibrate fits all terms to these peaks, and to "
+        "those it has."
+    )
