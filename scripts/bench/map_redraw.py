@@ -19,6 +19,7 @@ from birdcage.skymap.plan import MapPlan
 from birdcage.skymap.sky_map import MapSample, SkyMap
 from birdcage.station.task_state import TaskPhase, TaskState
 from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.map_book import MapRead
 from birdcage_tui.signal.map_pane import MapPane
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "tui"))
@@ -65,7 +66,7 @@ async def _measured() -> Redraw:
     about = {"latitude_deg": stand_in.PLACE.latitude_deg, "longitude_deg": stand_in.PLACE.longitude_deg}
     sky = SkyMap(1, PLAN, BEGUN, None, "tuner", "counts", False, True, about, samples=tuple(samples[:HEARD]))
     app = stand_in.app_in("idle")
-    app.maps.book.read(KEY, sky)
+    app.maps.book.read(KEY, MapRead.of(sky))
     async with app.run_test(size=SIZE) as pilot:
         await pilot.pause()
         await pilot.press("f3", "i")

@@ -12,6 +12,7 @@ from birdcage.sky.observer import Observer
 from birdcage.skymap.map_file import MapWriter, NewMap
 from birdcage.skymap.plan import MapPlan
 from birdcage.station.task_state import TaskPhase, TaskState
+from birdcage_tui.shown.map_book import MapRead
 
 from tests.skymap.made import made_map
 
@@ -67,7 +68,7 @@ def task(sky, *, phase=TaskPhase.RUNNING, why="", newest=24, key=KEY, number=1, 
 def app_with(heard_map, *, under_way=None, key=KEY, **settings):
     """Return the app with this map open, and the task that makes it, if any."""
     app = stand_in.app_in("idle", **settings)
-    app.maps.book.read(key, heard_map)
+    app.maps.book.read(key, MapRead.of(heard_map))
     if under_way is not None:
         app.station.state = replace(app.station.state, tasks=(under_way,))
     return app

@@ -18,6 +18,7 @@ from birdcage.protocol.hal.model import TRAVLER
 from birdcage.skymap.map_file import read_map
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
+from birdcage_tui.shown.map_book import MapRead
 
 from tests.signal.test_recording import recorded, row
 
@@ -204,7 +205,7 @@ def open_map(app, folder):
     if not path.exists():
         map_stand_in.keep(path, map_stand_in.made(heard=20))
     app.maps.book.chosen = map_stand_in.KEY
-    app.maps.book.read(map_stand_in.KEY, read_map(path, 1))
+    app.maps.book.read(map_stand_in.KEY, MapRead.of(read_map(path, 1)))
 
 
 def recordings_in(folder):

@@ -214,3 +214,9 @@ def test_a_map_around_a_target_has_offsets_and_no_direction_to_point_at():
     assert "+0.50° right, +0.00° up" in after
     assert "the map moves with its target" in after
     assert not line
+
+
+def test_directions_out_of_reach_are_told_when_it_is_finished():
+    sky = heard(3990)
+    said = on_map(read, replace(sky, ended=sky.samples[-1].utc))
+    assert "finished 2026-03-20 07:39Z, 3990 heard, 3 out of reach" in said

@@ -12,12 +12,11 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import BirdcageError, StoreError
 from birdcage.skymap.map_file import MapHead, find_map, list_maps, read_map
 from birdcage.skymap.map_request import KIND
-from birdcage.skymap.sky_map import SkyMap
 from birdcage.station.access import FaceStation
 from birdcage.station.events import Event, TaskChanged
 from birdcage.station.task_state import TaskPhase
 
-from birdcage_tui.shown.map_book import MapBook
+from birdcage_tui.shown.map_book import MapBook, MapRead
 
 AGAIN_S, DETAILS_S = 5.0, 60.0
 """Between two readings of the file for the same map: where levels are missing, and where only times are."""
@@ -137,21 +136,20 @@ class MapFeed:
         self.beside(partial(self._work, self._path, key))
 
     def _work(self, path: Path, key: str) -> None:
-        sky, problem = None, ""
+        found, problem = None, ""
         try:
             head = find_map(path, key)
             if head is not None:
-                sky = read_map(path, head.number)
-                _ = sky.plan.sequence  # which takes a while, too
+                found = MapRead.of(read_map(path, head.number))
         except StoreError as error:
             problem = str(error)
-        self._soon(partial(self._have_read, key, sky, problem))
+        self._soon(partial(self._have_read, key, found, problem))
 
-    def _have_read(self, key: str, sky: SkyMap | None, problem: str) -> None:
+    def _have_read(self, key: str, found: MapRead | None, problem: str) -> None:
         self._reads, self.problem = False, problem
-        if sky is not None and self.book.chosen in ("", key):
-            self.book.read(key, sky)
-        elif sky is None:
+        if found is not None and self.book.chosen in ("", key):
+            self.book.read(key, found)
+        elif found is None:
             self._read_at.pop(key, None)  # its first direction is not on the disk yet
         wanted, self._wanted = self._wanted, ""
         if wanted:

@@ -81,7 +81,7 @@ class SignalPage(Page):
     RATE_HZ = 1.0
     HELP = (
         "The signal, read as often as the wire allows. Arrows step the dish. f finds the peak, p goes there. "
-        "s chooses the source."
+        "s chooses the source. m maps the sky."
     )
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002

@@ -17,16 +17,34 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class MapRead:
+    """A map as it was read from the file, with what takes a while to make of it: not on the app's thread."""
+
+    sky: SkyMap
+    grid: NDArray[np.float64]
+    samples: Mapping[int, MapSample]
+    """By their cells."""
+    sequence: NDArray[np.int64]
+    """The cells in the order in which the dish goes through them."""
+
+    @classmethod
+    def of(cls, sky: SkyMap) -> MapRead:
+        """Make it."""
+        import numpy as np
+
+        samples = {each.cell: each for each in sky.samples if each.cell is not None}
+        return cls(sky, sky.grid(), samples, np.array(sky.plan.sequence))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class MapShown:
     """A map as it is known now."""
 
     key: str
-    sky: SkyMap
+    file: MapRead
     """As it was read from the file last."""
     grid: NDArray[np.float64]
     """Values in rows of rising elevation and columns of rising azimuth, NaN where nothing was heard. Never changed."""
-    samples: Mapping[int, MapSample]
-    """What the file tells of a cell."""
     heard: int
     """How many directions."""
     span: tuple[float, float] | None
@@ -37,9 +55,19 @@ class MapShown:
     """The first of its sequence that was not heard; None once all were."""
 
     @property
+    def sky(self) -> SkyMap:
+        """As the file has told it."""
+        return self.file.sky
+
+    @property
+    def samples(self) -> Mapping[int, MapSample]:
+        """What the file tells of a cell."""
+        return self.file.samples
+
+    @property
     def plan(self) -> MapPlan:
         """Its grid."""
-        return self.sky.plan
+        return self.file.sky.plan
 
     @property
     def is_complete(self) -> bool:
@@ -72,8 +100,6 @@ class MapBook:
     _tasks: set[int] = field(default_factory=set)
     _rows: dict[str, dict[int, float]] = field(default_factory=dict)
     """What the station has told of a map, by its key and cell."""
-    _sequenced: MapPlan | None = None
-    _sequence: NDArray[np.int64] = field(init=False)
 
     def take(self, task: TaskState) -> str | None:
         """Take what a task tells. Return the key of a map that the file has to tell more of."""
@@ -91,22 +117,19 @@ class MapBook:
             return None
         if self.shown is None or self.shown.key != key:
             return key
-        self._keep(self.shown.sky, key, rows)
+        self._keep(self.shown.file, key, rows)
         lacks = task.done is not None and self.shown.heard != task.done
         return key if lacks or task.phase is TaskPhase.OVER else None
 
-    def read(self, key: str, sky: SkyMap) -> None:
+    def read(self, key: str, file: MapRead) -> None:
         """Take what the file tells. What the station has told since stays."""
-        self._keep(sky, key, self._rows.get(key, {}))
+        self._keep(file, key, self._rows.get(key, {}))
 
-    def _keep(self, sky: SkyMap, key: str, rows: Mapping[int, float]) -> None:
+    def _keep(self, file: MapRead, key: str, rows: Mapping[int, float]) -> None:
         import numpy as np
 
         before = self.shown if self.shown is not None and self.shown.key == key else None
-        if before is not None and before.sky is sky:
-            samples, grid = before.samples, before.grid.copy()
-        else:
-            samples, grid = {each.cell: each for each in sky.samples if each.cell is not None}, sky.grid()
+        grid = (file.grid if before is None or before.file is not file else before.grid).copy()
         flat = grid.reshape(-1)
         for cell, value in rows.items():
             if 0 <= cell < flat.size:
@@ -114,16 +137,9 @@ class MapBook:
         heard = int(np.count_nonzero(~np.isnan(flat)))
         span = (float(np.nanmin(flat)), float(np.nanmax(flat))) if heard else None
         loudest = int(np.nanargmax(flat)) if heard else None
-        missing = np.isnan(flat[self._sequence_of(sky)])
-        next_cell = int(self._sequence[int(np.argmax(missing))]) if missing.any() else None
-        self.shown = MapShown(key, sky, grid, samples, heard, span, loudest, next_cell)
-
-    def _sequence_of(self, sky: SkyMap) -> NDArray[np.int64]:
-        import numpy as np
-
-        if self._sequenced is not sky.plan:
-            self._sequenced, self._sequence = sky.plan, np.array(sky.plan.sequence)
-        return self._sequence
+        missing = np.isnan(flat[file.sequence])
+        next_cell = int(file.sequence[int(np.argmax(missing))]) if missing.any() else None
+        self.shown = MapShown(key, file, grid, heard, span, loudest, next_cell)
 
 
 def _rows_of(task: TaskState) -> dict[int, float]:

@@ -29,7 +29,9 @@ def state_words(view: View) -> tuple[str, tuple[str, ...]]:
     count = f"{shown.heard} of {shown.plan.cells}"
     if shown.is_complete:
         ended = "" if shown.sky.ended is None else f" {shown.sky.ended:%Y-%m-%d %H:%M}Z"
-        return "good", (f"finished{ended}, all {shown.heard} heard", f"finished{ended}", "finished")
+        beyond = shown.plan.cells - shown.heard
+        heard = f"{shown.heard} heard, {beyond} out of reach" if beyond else f"all {shown.heard} heard"
+        return "good", (f"finished{ended}, {heard}", f"finished{ended}", "finished")
     if view.state.held is not None:
         words = f"HELD at {count}. Enter releases the dish, then u resumes the map"
         return "warn-strong", (words, f"HELD at {count}: Enter, then u", "HELD")
@@ -56,7 +58,8 @@ def _of_task(view: View, task: TaskState, count: str) -> tuple[str, tuple[str, .
             ends = f"ends {clock_words(view.utc + timedelta(seconds=left_s), view.utc)}"
             left = f"{span_words(left_s)} left"
             brief = f"{count}, {left}"
-            return "accent-strong", (f"running, {brief}, {ends}", f"{brief}, {ends}", brief, count)
+            told = f"running, {brief}, {ends}"
+            return "accent-strong", (f"{told}. e pauses it", told, f"{brief}, {ends}", brief, count)
         case TaskPhase.WAITING:
             until = "" if task.next_at is None else f" until {clock_words(task.next_at, view.utc)}"
             return "text", (f"waiting{until}, {count} heard", f"waiting{until}", "waiting")
