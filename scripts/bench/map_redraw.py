@@ -30,6 +30,7 @@ SIZE = (160, 48)
 PLAN = MapPlan(0.0, 359.0, 5.0, 64.0, 1.0)
 BEGUN = datetime(2026, 3, 20, 6, tzinfo=UTC)
 KEY, HEARD, TIMES = "bench", 15_000, 60
+AIM_MS = 50.0
 
 
 @dataclass(frozen=True)
@@ -108,6 +109,7 @@ def _floor(pane: MapPane) -> float:
 if __name__ == "__main__":
     found = measure()
     print(
-        f"one redraw of {PLAN.columns} x {PLAN.rows} at {SIZE[0]}x{SIZE[1]}: {found.pane_ms:.1f} ms, slowest "
-        f"{found.slowest_ms:.1f} ms; the same cells alone {found.floor_ms:.1f} ms, ratio {found.ratio:.1f}"
+        f"one redraw of {PLAN.columns} x {PLAN.rows} at {SIZE[0]}x{SIZE[1]}: {found.pane_ms:.1f} ms   (aim {AIM_MS:g})"
     )
+    print(f"  the slowest of {TIMES}    {found.slowest_ms:.1f} ms")
+    print(f"  the same cells alone {found.floor_ms:.1f} ms, ratio {found.ratio:.1f}")

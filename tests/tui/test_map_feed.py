@@ -139,8 +139,8 @@ def test_a_map_that_a_person_has_opened_stays_until_another_one_begins(tmp_path)
     house.feed.open("older")
     house.work()
     assert house.shown.heard == 7
-    house.tell(map_stand_in.task(heard(101)))
-    house.work()
+    house.tell(map_stand_in.task(heard(101)), after_s=DETAILS_S)
+    assert house.waiting == [], "the file is not read for what is not shown"
     assert house.shown.key == "older"
     house.tell(map_stand_in.task(heard(101), number=2), after_s=AGAIN_S)
     house.work()
