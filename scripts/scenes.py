@@ -89,6 +89,15 @@ async def signal(on: Stage) -> None:
         await on.wait(3)
 
 
+async def sky_map(on: Stage) -> None:
+    """A whole map of the arc, heard by the dish's own tuner."""
+    await on.wait(9)
+    await on.press("f3", "m")
+    await on.wait(1)
+    await on.press("enter")
+    await on.wait(380)
+
+
 async def console(on: Stage) -> None:
     """Talking to the firmware over the dashboard; the last line is not sent yet, and warned of."""
     await on.wait(12)
@@ -157,6 +166,7 @@ SCENES = (
     Scene("tui-network", network, ("Gpredict follows LEO 1", "SatDump", "ignored 59", "watches", "RPRT 0")),
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-signal", signal, ("% of the peak", "Fit of", "readings a second", "lock")),
+    Scene("tui-sky-map", sky_map, ("The map is complete", "101W", "119W", "counts", "loudest")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import os
 import sys
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -40,6 +41,7 @@ from textual.pilot import Pilot
 STEP_S = 0.1
 FINE_S, COARSE_S = 2.0, 0.5
 """The end of a longer wait is played as a person sees it, what comes before in longer steps."""
+os.environ |= {"COLORTERM": "truecolor", "TERM": "xterm-256color"}  # a map has colours where a terminal does
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
 HERE = Settings(
