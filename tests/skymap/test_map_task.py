@@ -89,6 +89,22 @@ def test_what_is_heard_of_a_dish_that_comes_later_than_it_must_is_heard_again_at
         assert each.utc.timestamp() - offset_s > sent + 1.01 / 2.0
 
 
+@pytest.mark.parametrize("speed", [0.4, 65.0])
+def test_the_tuner_is_read_at_rest_only(tmp_path, speed):
+    bench = made(tmp_path, f"g2?seed=1&az_speed={speed}")
+    write, moving = bench.sim.write, []
+
+    def writing(data):
+        if data.startswith(b"rssi"):
+            moving.append(bench.device.truth().moving)
+        write(data)
+
+    bench.sim.write = writing
+    bench.begin(MapPlan(170.0, 176.0, 40.0, 40.0, 1.37, MapOrder.ROWS))
+    bench.run()
+    assert moving == [False] * 5
+
+
 @pytest.mark.parametrize("at", ["dvb", "rssi 10", "q"])
 def test_stop_on_the_way_to_the_tuner_stops_the_dish(tmp_path, at):
     bench = made(tmp_path, f"g2?seed=1&{SLOW_LINE}")
@@ -148,6 +164,7 @@ def test_a_program_that_dies_loses_no_direction_and_the_next_one_hears_none_agai
     after = made(tmp_path)
     after.begin()
     assert after.run().is_done
+    assert len([line for line in after.lines() if line.startswith("rssi")]) == 24 - len(kept)
     samples = after.read().samples
     assert samples[: len(kept)] == kept
     assert sorted(each.cell for each in samples) == list(range(24))

@@ -5,6 +5,7 @@ import re
 
 import pytest
 from birdcage.base.errors import BelowFloor, Held, LeaseDenied, LinkError, MotionRefused, PositionUnknown, Superseded
+from birdcage.station.events import MoveEnded
 from birdcage.station.requests import AcquireLease, Goto, Home, Jog, Release, ReleaseLease
 from birdcage.station.state import Activity
 
@@ -183,3 +184,24 @@ def test_a_refused_motion_takes_no_control(bench):
     with pytest.raises(BelowFloor):
         bench.do(go(180, 5))
     assert bench.state.holder == "you"
+
+
+def test_a_slow_dish_that_is_nearly_there_has_not_arrived():
+    bench = Bench("g2?seed=1&az_speed=0.3").connect()
+    bench.watch("position")
+    bench.step(3.0)
+    here, moving = bench.state.position, []
+    bench.station.subscribe(
+        lambda event: moving.append(bench.device.truth().moving) if isinstance(event, MoveEnded) else None
+    )
+    bench.do(go(here.az_deg + 1.0, here.el_deg), 60.0)
+    assert moving == [False]
+
+
+def test_two_looks_that_agree_are_an_arrival(bench):
+    bench.do(go(180, 45))
+    bench.step(2.0)
+    before = bench.clock.monotonic()
+    bench.do(go(181, 45))
+    looks = [line for at, line in bench.received() if at > before and line == "a"]
+    assert len(looks) >= 2

@@ -254,8 +254,6 @@ class MapTask(Task):
 
     def _listen(self, az_deg: float, el_deg: float, *, cell: int | None = None) -> Listening:
         """Go there, and return what is heard at rest; None where the dish can't go, or nothing could be read."""
-        if abs(el_deg) > 90.0:
-            return None
         heard = yield from (self._by_tuner if self._map.of_dish else self._by_source)(az_deg, el_deg)
         if heard is None:
             return None
