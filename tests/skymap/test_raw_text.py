@@ -15,15 +15,17 @@ from birdcage.skymap.raw_text import NotInThisForm, as_lines, as_matrix
 from tests.skymap.made import made_map
 
 
-def matrix(folder, values, settings, stamp="20230321-193653", settings_name="scan-settings-{}.txt"):
+def matrix(folder, values, settings, stamp="20230321-193653"):
     path = folder / f"raw-data-{stamp}.txt"
     np.savetxt(path, values)
-    np.savetxt(folder / settings_name.format(stamp), settings)
+    np.savetxt(folder / f"scan-settings-{stamp}.txt", settings)
     return path
 
 
 def value_at(sky_map, az, el):
-    found = [each.value for each in sky_map.samples if (each.az_deg, each.el_deg) == pytest.approx((az, el))]
+    found = [
+        each.value for each in sky_map.samples if abs(each.az_deg - az) < 1e-6 and abs(each.el_deg - el) < 1e-6
+    ]  # fmt: skip
     assert len(found) <= 1
     return found[0] if found else None
 
@@ -108,11 +110,14 @@ def test_the_discovery_drive_scans_beyond_its_ends(tmp_path):
 
 
 def test_the_tracvision_counts_tenths(tmp_path):
-    values = np.zeros((601, 3600))
-    for el in range(100, 700, 10):
-        for az in range(0, 3599, 10):
-            values[abs(el - 700), abs(az - 3599)] = 1 + az + el
-    path = matrix(tmp_path, values, (0, 3599, 100, 700), settings_name="scan_settings_{}.txt")
+    def line(el):
+        told = {abs(az - 3599): 1 + az + el for az in range(0, 3599, 10)}
+        return " ".join(f"{told.get(column, 0):.18e}" for column in range(3600))
+
+    path, nothing = tmp_path / "raw-data-20240101-000000.txt", " ".join(["0.000000000000000000e+00"] * 3600)
+    filled = {abs(el - 700): el for el in range(100, 700, 10)}
+    path.write_text("".join(f"{line(filled[row]) if row in filled else nothing}\n" for row in range(601)))
+    (tmp_path / "scan_settings_20240101-000000.txt").write_text("0\n3599\n100\n700\n")
     assert path.stat().st_size > 54_000_000
     sky_map, _ = read_raw_text(path)
     assert (sky_map.plan.columns, sky_map.plan.rows, sky_map.plan.step_deg, sky_map.is_complete) == (360, 60, 1.0, True)

@@ -163,9 +163,11 @@ def _hatched(height: int, width: int) -> Image:
     import numpy as np
     from PIL import Image
 
-    rows, columns = np.indices((height, width))
+    rows, columns = np.indices((STRIPES_PX, STRIPES_PX))
     stripe = np.clip(2.0 - np.abs((rows + columns) % STRIPES_PX - STRIPES_PX / 2), 0.0, 1.0)[..., None]
-    return Image.fromarray((np.array(UNHEARD) * (1.0 - stripe) + np.array(STRIPE) * stripe).astype(np.uint8))
+    tile = (np.array(UNHEARD) * (1.0 - stripe) + np.array(STRIPE) * stripe).astype(np.uint8)
+    down, across = -(-height // STRIPES_PX), -(-width // STRIPES_PX)
+    return Image.fromarray(np.ascontiguousarray(np.tile(tile, (down, across, 1))[:height, :width]))
 
 
 def _axes(sheet: _Sheet) -> None:
