@@ -107,6 +107,15 @@ def test_a_reading_is_of_the_middle_between_question_and_answer():
         assert ago_s == pytest.approx(house.clock.monotonic() - reading.at)
 
 
+def test_one_that_is_listened_to_tells_where_it_is_tuned_when_somebody_turns_it():
+    radio = sdr()
+    house = House(radio).watched(3.0)
+    assert house.source.facts.set_to == (("freq_hz", "100000000"),)
+    radio("F 1420405000")
+    house.run(12.0)
+    assert house.source.facts.set_to == (("freq_hz", "1420405000"),)
+
+
 def test_a_slow_one_makes_no_gap():
     house = House()
     house.desk.latency_s = 1.9  # of the two seconds that it is given

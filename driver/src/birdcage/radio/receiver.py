@@ -21,6 +21,8 @@ from birdcage.radio.wire import CONNECT_S, HURRY_S, Call
 TUNE_EVERY_S = 0.1
 LOOK_EVERY_S = 1.0
 """How often its frequency and signal are read, and how soon it is asked again for what it refused."""
+TUNED_EVERY_S = 10.0
+"""How often one that is only listened to is asked where it is tuned: a person may turn it."""
 BACKOFF_S = (0.5, 1.0, 2.0, 4.0, 8.0)
 NO_LEVEL_S = 30.0
 """How soon one that refuses to tell its level is asked again; it is hung up meanwhile, as SDR++ serves one program."""
@@ -42,7 +44,7 @@ class Receiver:
         self._recorder = Recorder()
         self._rig: RigctlClient | None = None
         self._failures = 0
-        self._call_at = self._tune_at = self._look_at = -math.inf
+        self._call_at = self._tune_at = self._look_at = self._asks_tuning_at = -math.inf
         self._tuned_hz: int | None = None
         self._has_strength = True
         self.now = RadioNow(address=where)
@@ -73,12 +75,15 @@ class Receiver:
 
     def listen_anew(self) -> None:
         """Somebody begins to look at its level: what it did not know before is tried again, and at once."""
-        self._call_at = self._look_at = -math.inf
+        self._call_at = self._look_at = self._asks_tuning_at = -math.inf
         self._failures, self._tuned_hz = 0, None
         self._put(RadioNow(RadioState.CONNECTING, self._where, recording=self._recorder.recording))
 
     def listen(self) -> float:
-        """Read its level, and nothing else, while no pass is on; return when to come again (monotonic)."""
+        """Read its level, and now and then where it is tuned, while no pass is on; return when to come again.
+
+        Monotonic seconds. Nothing of it is changed.
+        """
         if self._rig is None and not self._call(None):
             return self._call_at
         assert self._rig is not None
@@ -88,6 +93,10 @@ class Receiver:
         self._look_at = now + LOOK_EVERY_S
         try:
             self._read_strength(self._rig)
+            quick = self._clock.monotonic() - now < LOOK_EVERY_S / 2.0  # a slow one has no time for both
+            if quick and now >= self._asks_tuning_at:
+                self._asks_tuning_at = now + TUNED_EVERY_S
+                self._read_tuning(self._rig)
         except RadioLost as error:
             self._lost(error)
             return self._call_at
@@ -100,6 +109,12 @@ class Receiver:
         self._failures = 0
         self._show(state=RadioState.LISTENING, sentence="")
         return self._look_at
+
+    def _read_tuning(self, rig: RigctlClient) -> None:
+        try:
+            self._show(read_back_hz=rig.frequency_hz())
+        except RadioRefused:
+            self._show(read_back_hz=None)
 
     @property
     def owes(self) -> bool:

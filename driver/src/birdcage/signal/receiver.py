@@ -54,8 +54,13 @@ class ReceiverSource:
         return SignalFacts(
             RECEIVER, "receiver", "dB", Scale.LOG, 1.0 / LOOK_EVERY_S, PAUSE_S, latency_s=None, dwell_s=None,
             decimals=1, span=10.0, least=None, of_dish=False, demo=self.now.demo,
-            where=(self._radio.rigctld or "").partition("?")[0],
+            where=(self._radio.rigctld or "").partition("?")[0], set_to=self._set_to,
         )  # fmt: skip
+
+    @property
+    def _set_to(self) -> tuple[tuple[str, str], ...]:
+        tuned_hz = self.now.read_back_hz
+        return () if tuned_hz is None else (("freq_hz", f"{tuned_hz:.0f}"),)
 
     @property
     def trouble(self) -> str:

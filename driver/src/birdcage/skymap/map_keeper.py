@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from birdcage.rotator.feature import POSITION, RSSI, TRANSPONDER, speed_of
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from birdcage.signal.ear import TaskEar
-from birdcage.signal.source import Scale, SignalFacts
+from birdcage.signal.source import Scale, SignalFacts, SignalSource
 from birdcage.skymap.battery import Battery, read_battery
 from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
 from birdcage.skymap.map_request import KIND, MapRequest
@@ -33,10 +33,10 @@ class KeptMap:
     """One map that is being made."""
 
     def __init__(
-        self, new: NewMap, path: Path | None, ear: TaskEar, facts: SignalFacts, station: StationAccess
+        self, new: NewMap, path: Path | None, ear: TaskEar, source: SignalSource, station: StationAccess
     ) -> None:  # fmt: skip
-        self.ear, self.of_dish, self.decibels = ear, facts.of_dish, new.decibels
-        self._facts, self._station, self._awake = facts, station, False
+        self.ear, self.of_dish, self.decibels = ear, source.facts.of_dish, new.decibels
+        self._source, self._station, self._awake = source, station, False
         self.heard = frozenset() if path is None else heard_cells(path, new.key)
         self._writer = None if path is None else MapWriter(path, new)
 
@@ -62,7 +62,7 @@ class KeptMap:
         each = feature.samples or 1 if self.of_dish and feature is not None else 1
         polarisation = state.readings.get("polarisation")
         return MapSample(
-            n=readings * each, settings=0, target=state.signal_owners.get(self._facts.id, ""),
+            n=readings * each, settings=0, target=state.signal_owners.get(self._source.facts.id, ""),
             polarisation=None if polarisation is None or not self.of_dish else str(polarisation.value),
             state=state.activity.value, **values,
         )  # fmt: skip
@@ -95,7 +95,7 @@ class KeptMap:
 
     def _settings(self) -> Mapping[str, str]:
         if not self.of_dish:
-            return dict(self._facts.set_to)
+            return dict(self._source.facts.set_to)
         told = self._station.state.readings
         return {name: _told(name, told[name].value) for name in SETTINGS if name in told}
 
@@ -152,12 +152,13 @@ class MapKeeper:
         if request.quiet and not self.speeds_deg_s(1.0):
             raise TypeError("this dish can't be told to turn slower. Leave quiet out")
         ear = self._sources.ear(request.source)
-        facts = self._sources.get(request.source or self._sources.chosen).facts
+        source = self._sources.get(request.source or self._sources.chosen)
+        facts = source.facts
         new = NewMap(
             request.key, request.plan, facts.id, facts.unit, facts.scale is Scale.LOG, self._state.demo or facts.demo,
             self._about(request, facts),
         )  # fmt: skip
-        return KeptMap(new, self._path, ear, facts, self._station)
+        return KeptMap(new, self._path, ear, source, self._station)
 
     def _about(self, request: MapRequest, facts: SignalFacts) -> Mapping[str, object]:
         state, settings = self._state, self._settings
