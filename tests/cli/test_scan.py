@@ -6,6 +6,7 @@ import json
 import re
 
 import pytest
+from birdcage.sim.settings import SimSettings
 
 
 @pytest.fixture(autouse=True)
@@ -13,6 +14,7 @@ def _quick_line(monkeypatch):
     monkeypatch.setenv("BIRDCAGE_LINK_DELAY_S", "0.3")
 
 
+SKY = SimSettings()
 SMALL = ("scan", "--az", "178:180", "--el", "40:41", "--step", "1")
 
 
@@ -53,7 +55,7 @@ def test_two_maps_one_after_the_other_lie_side_by_side(run):
 @pytest.fixture
 def placed(run, tmp_path):
     file = tmp_path / "birdcage.toml"
-    file.write_text("[place]\nlatitude_deg = 40.0\nlongitude_deg = -105.0\n")
+    file.write_text(f"[place]\nlatitude_deg = {SKY.lat}\nlongitude_deg = {SKY.lon}\n")
     return lambda *words, **how: run("--config", file, *words, **how)
 
 
@@ -66,7 +68,7 @@ def test_around_a_star_the_map_stays_with_it(placed, tmp_path):
     rows = [line.split(",") for line in table.read_text().splitlines() if line and not line.startswith("#")]
     names = {name: index for index, name in enumerate(rows[0])}
     for row in rows[1:]:
-        assert float(row[names["aim_el_deg"]]) == pytest.approx(40.0, abs=1.0)
+        assert float(row[names["aim_el_deg"]]) == pytest.approx(SKY.lat, abs=1.0)
         assert float(row[names["el_deg"]]) == pytest.approx(float(row[names["aim_el_deg"]]), abs=0.1)
 
 
@@ -99,3 +101,25 @@ def test_a_dish_without_a_tuner_is_not_moved(run):
     result = run(*SMALL, port="sim:hal205", firmware="hal205")
     assert result.exit_code == 1
     assert "has no tuner to read. With --source your receiver is heard. Nothing was sent." in result.stderr
+
+
+def test_drift_is_told_by_the_reference_crosses(placed):
+    made = placed(*SMALL, "--reference", "119W")
+    assert made.exit_code == 0, made.stderr
+    told = placed("maps", "drift", "1")
+    assert told.exit_code == 0, told.stderr
+    head, *rows = told.stdout.splitlines()
+    assert head.split() == ["time", "gain", "right", "up", "±"]
+    assert len(rows) == 2
+    assert rows[0].split()[2:5] == ["1.000", "+0.00°", "+0.00°"]
+    gain, right = float(rows[1].split()[2]), float(rows[1].split()[3].rstrip("°"))
+    assert gain == pytest.approx(1.0, abs=0.1)
+    assert abs(right) < 0.3
+    assert "lost steps" not in told.stdout
+    assert json.loads(placed("maps", "drift", "1", "--json").stdout)[1]["gain"] == pytest.approx(gain, abs=1e-3)
+
+
+def test_a_map_without_a_reference_says_so(run):
+    run(*SMALL)
+    assert "Map 1 has no reference cross." in run("maps", "drift", "1").stderr
+    assert "There is no map 7." in run("maps", "drift", "7").stderr

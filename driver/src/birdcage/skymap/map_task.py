@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 
 NEWEST = 24
 """So many of the last directions are told with each change: who has missed more reads the file."""
-CROSS_STEP = 0.35
-"""Between two directions of a reference cross, in widths of the beam."""
+CROSS_STEP = 0.5
+"""Between two directions of a reference cross, in widths of the beam: its ends are on the floor, its flanks steep."""
 COUNTDOWN_S = 5.0
 LOOK_S = 60.0
 """How often a map that waits for its time, and one under way, looks at the battery."""

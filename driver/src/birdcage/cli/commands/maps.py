@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.commands.maps_beam import beam
+from birdcage.cli.commands.maps_drift import drift
 from birdcage.cli.commands.maps_horizon import horizon
 from birdcage.cli.commands.maps_north import north
 from birdcage.cli.exits import DATA_EPILOG
@@ -66,4 +67,5 @@ def _values(head: MapHead) -> dict[str, object]:
 
 command.add_command(horizon)
 command.add_command(beam)
+command.add_command(drift)
 command.add_command(north)
