@@ -55,6 +55,21 @@ def test_a_planted_tree_line_is_proposed_in_front_of_the_arc(heard, within):
     assert max(abs(proposed.at(edge.az_deg) - edge.el_deg) for edge in inside) < 1.0
 
 
+def test_a_satellite_right_above_the_trees_lifts_no_tree():
+    # 61.5 W stands at 132.8/32.6, and its glow reaches down into the trees: there the map says nothing.
+    found = teach_horizon(counts("110:27,160:27"), ARC)
+    told = {edge.az_deg: edge.el_deg for edge in found.edges if not edge.is_clear}
+    assert [az for az in told if az < 157.0 and abs(told[az] - 27.0) > 1.2] == []
+    assert not any(128.0 < az < 138.0 for az in told)
+    assert all(float(az) in told for az in range(147, 157))
+
+
+def test_a_few_trees_in_a_wide_map_are_found():
+    found = teach_horizon(counts("160:22,176:22"), ARC)
+    told = {edge.az_deg: edge.el_deg for edge in found.edges if not edge.is_clear}
+    assert [az for az in range(163, 174) if abs(told[float(az)] - 22.0) > 1.2] == []
+
+
 def test_beyond_the_trees_the_sky_hides_no_satellite():
     sky = SimSky(SimSettings(trees="205:50,225:50"))
     open_sky = SimSky(SimSettings())

@@ -11,11 +11,13 @@ from birdcage.signal.level_scale import KnownLevel, checked_scale
 from birdcage.sim.settings import SimSettings
 from birdcage.sky.rise import quiet_sun_k
 from birdcage.skymap.map_levels import LessonRefused
-from birdcage.skymap.plan import MapPlan
+from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.skymap.sun_lesson import teach_sun
 
 from tests.skymap.suns import MORNING, PLACE, Travler, airy, around, half_power_of_the_simulator, map_of, simulated
 
+SUN_EL = 52.0
+"""About where it stands on that morning."""
 G2 = around(12.0, 12.0, 1.5)
 TRAVLER = around(5.0, 7.0, 0.5)
 
@@ -71,9 +73,10 @@ def test_the_sky_at_the_suns_own_elevation_is_what_it_is_compared_with():
     plain = simulated_power()
 
     def power(when, az, el):
-        return plain(when, az, el) * (1.0 + 0.004 * (50.0 - el))
+        return plain(when, az, el) * (1.0 + 0.006 * (SUN_EL - el))
 
-    level, sloped = (map_of(G2, each, 0.01, beam_az_deg=5.7, beam_el_deg=5.6) for each in (simulated_power(), power))
+    plan = MapPlan(-12.0, 12.0, -8.0, 18.0, 1.5, frame=MapFrame.TARGET)
+    level, sloped = (map_of(plan, each, 0.01, beam_az_deg=5.7, beam_el_deg=5.6) for each in (simulated_power(), power))
     assert teach_sun(sloped).rise_db == pytest.approx(teach_sun(level).rise_db, abs=0.05)
 
 

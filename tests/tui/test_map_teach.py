@@ -15,6 +15,7 @@ from birdcage.sky.horizon import HorizonMask
 from birdcage.skymap.plan import MapPlan
 from birdcage.station.requests import ApplySettings, Goto, Jog
 from birdcage_tui.feeds.map_lessons import MapLessons
+from birdcage_tui.shown.map_book import MapRead
 from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.widgets.choice_screen import ChoiceScreen
 from birdcage_tui.widgets.dialogs import QuestionScreen
@@ -137,7 +138,7 @@ def test_enter_without_an_accepted_point_says_so_and_keeps_the_proposal():
 
 def test_another_map_takes_the_proposal_away():
     async def seen(app, pilot):
-        app.maps.book.read("another", map_stand_in.made(heard=900))
+        app.maps.book.read("another", MapRead.of(map_stand_in.made(heard=900)))
         await settle(app, pilot)
         return app.page.query_one(MapPane).offer
 

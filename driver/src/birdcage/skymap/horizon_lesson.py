@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 
 COLD_SHARE = 0.2
 """At least so much of a map is taken to be clear sky."""
+RISE_SHARES = (70.0, 85.0, 95.0)
+"""Percentiles of the lowest directions that may be as warm as trees, in the order in which they are tried."""
 SEEN_SIGMAS = 8.0
 LEAST_RISE = 0.25
 """The ground is 280 K warmer than the sky: no receiver in use is so noisy that this were less than 1 dB."""
@@ -101,33 +103,48 @@ def teach_horizon(
     els = plan.y_low_deg + plan.step_deg * np.arange(plan.rows, dtype=np.float64)
     azs = plan.x_low_deg + plan.step_deg * np.arange(plan.columns, dtype=np.float64)
     near = _near(azs, els, sources, widths)
-    cold, rise = _levels(grid, near, noise, in_powers)
-    air = 1.0 / np.sin(np.radians(np.maximum(els, 3.0)))
-    opacity = _opacity(grid, near, air, cold, rise)
-    clear = 1.0 - np.exp(-opacity * air)
-    warm = ((grid - cold) / rise - clear[:, None]) / (1.0 - clear[:, None])
-    near |= _beside_sources(warm, widths, plan.step_deg, els)
+    cold, rises = _levels(grid, near, noise, in_powers)
     grain = widths[1] * COUNTS_BEAMS * (not in_powers)
-    found = [
-        _edge(float(az_deg), els, warm[:, column], near[:, column], noise / rise, grain)
-        for column, az_deg in enumerate(azs)
-    ]
-    airy = {
-        column
-        for column, edge in enumerate(found)
-        if edge is not None
-        and not edge.is_clear
-        and _is_air(edge.el_deg, els, air, warm[:, column], near[:, column], widths[1])
-    }
-    edges = tuple(edge for column, edge in enumerate(found) if edge is not None and column not in airy)
-    if sum(not edge.is_clear for edge in edges) <= len(airy):
+    # Where few columns have trees, what is a little warm at the lower edge is air: then the warmer ones are tried.
+    for rise in rises:
+        edges, airy = _edges((azs, els), (grid - cold) / rise, near, widths, noise / rise, grain)
+        if sum(not edge.is_clear for edge in edges) > airy:
+            break
+    else:
         raise LessonRefused("No trees stand out: thick air explains what is warm at the lower edge of the map.")
     ratio = rise / cold if in_powers else rise
     return HorizonProposal(_thinned(edges), edges, float(ratio), in_powers, plan.columns - len(edges))
 
 
-def _levels(grid: Floats, near: NDArray[np.bool_], noise: float, in_powers: bool) -> tuple[float, float]:
-    """Return the level of the cold sky, and how much warmer the lowest directions are where trees stand."""
+def _edges(
+    axes: tuple[Floats, Floats], part: Floats, near: NDArray[np.bool_], widths: tuple[float, float], noise: float,
+    grain_deg: float,
+) -> tuple[tuple[HorizonEdge, ...], int]:  # fmt: skip
+    """Return what each azimuth tells, and at how many of them it is air that is warm.
+
+    `part`: levels over the cold sky, in parts of how much warmer the ground is; `noise` likewise.
+    """
+    import numpy as np
+
+    azs, els = axes
+    air = 1.0 / np.sin(np.radians(np.maximum(els, 3.0)))
+    clear = 1.0 - np.exp(-_opacity(part, near, air) * air)
+    warm = (part - clear[:, None]) / (1.0 - clear[:, None])
+    hidden = near | _beside_sources(warm, widths, float(els[1] - els[0]) if len(els) > 1 else 1.0, els)
+    edges, airy = [], 0
+    for column, az_deg in enumerate(azs):
+        edge = _edge(float(az_deg), els, warm[:, column], hidden[:, column], noise, grain_deg)
+        if edge is None:
+            continue
+        if not edge.is_clear and _is_air(edge.el_deg, els, air, warm[:, column], hidden[:, column], widths[1]):
+            airy += 1
+        else:
+            edges.append(edge)
+    return tuple(edges), airy
+
+
+def _levels(grid: Floats, near: NDArray[np.bool_], noise: float, in_powers: bool) -> tuple[float, list[float]]:
+    """Return the level of the cold sky, and how much warmer trees may be, by the lowest directions, least first."""
     import numpy as np
 
     heard = np.sort(grid[np.isfinite(grid)])
@@ -141,9 +158,12 @@ def _levels(grid: Floats, near: NDArray[np.bool_], noise: float, in_powers: bool
             "Map down to the lowest elevation that the dish reaches."
         )
     # Those that look at the edge alone are less warm; a source that is not known is warmer.
-    rise = float(np.percentile(warm, 70.0)) - cold
-    full = warm[np.abs(warm - cold - rise) < 0.2 * rise]
-    return cold, float(np.median(full)) - cold if len(full) else rise
+    rises = []
+    for share in RISE_SHARES:
+        rise = float(np.percentile(warm, share)) - cold
+        full = warm[np.abs(warm - cold - rise) < 0.2 * rise]
+        rises.append(float(np.median(full)) - cold if len(full) else rise)
+    return cold, rises
 
 
 def _lowest(grid: Floats, near: NDArray[np.bool_], column: int) -> float | None:
@@ -154,15 +174,14 @@ def _lowest(grid: Floats, near: NDArray[np.bool_], column: int) -> float | None:
     return float(grid[rows[0], column]) if len(rows) and not near[rows[0], column] else None
 
 
-def _opacity(grid: Floats, near: NDArray[np.bool_], air: Floats, cold: float, rise: float) -> float:
+def _opacity(part: Floats, near: NDArray[np.bool_], air: Floats) -> float:
     """Return the opacity of the air overhead: from how clear directions grow warmer toward the horizon."""
     import numpy as np
 
-    part = (grid - cold) / rise
     # Whatever is warmer than the thickest air would be is no clear direction.
     most = 1.0 - np.exp(-MOST_OPACITY * air)
     clear = np.isfinite(part) & ~near & (part < most[:, None] + 0.05)
-    x, y = np.broadcast_to(air[:, None], grid.shape)[clear], part[clear]
+    x, y = np.broadcast_to(air[:, None], part.shape)[clear], part[clear]
     if len(x) < 3 or float(np.ptp(x)) < 0.3:
         return 0.0
     slope = float(np.polyfit(x, y, 1)[0])
