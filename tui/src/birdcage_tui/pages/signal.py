@@ -180,11 +180,11 @@ class SignalPage(Page):
 
     @property
     def _next_view(self) -> type[Pane]:
-        """What stands below after this one: a waterfall only where the source tells spectra."""
-        following = VIEWS[(VIEWS.index(self._view) + 1) % len(VIEWS)]
-        if following is WaterfallPane and not self.host.view().spectra:
-            following = MapPane
-        return StripPane if following is PolarisationPane else following  # only where a person has agreed to it
+        """What stands below after this one: a waterfall where the source tells spectra, a map where one is open."""
+        view = self.host.view()
+        here = {StripPane: True, SweepPane: True, WaterfallPane: bool(view.spectra), MapPane: view.has_map}
+        after = VIEWS.index(self._view) + 1
+        return next(kind for kind in (*VIEWS[after:], *VIEWS) if here.get(kind))  # the rest only where it is agreed to
 
     def _show_map(self) -> None:
         """Show the map of the sky."""
