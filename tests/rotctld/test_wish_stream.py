@@ -7,7 +7,7 @@ import math
 import pytest
 from birdcage.base.geometry import separation, shortest_turn, wrap_360
 from birdcage.rotctld.wish_stream import FEWEST, INTERVALS, WishStream, fitted, value
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 ANGLES = st.floats(-720.0, 720.0)
@@ -39,6 +39,7 @@ def test_it_is_foreseen_between_its_wishes(course, ahead_s):
 
 
 @given(st.lists(ANYTHING, max_size=20), st.booleans(), st.floats())
+@example([(0.0, 0.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 1.563426465531927e159), (1.0, 17.0, 165.0)], False, 0.0)
 def test_any_wishes_lead_to_a_direction_or_to_none(wishes, even, at):
     stream = WishStream(even=even)
     for wish in wishes:

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import calibrate_stand_in
 import horizon_stand_in
+import lessons_stand_in
 import map_stand_in
 import setup_stand_in
 import sky_stand_in
@@ -134,6 +135,9 @@ PLACES = (
     _dialog("map the sky", "MapHands.do", "f3", "m", **FIELDS),
     _dialog("maps of the sky", "MapHands._choose", "f3", "M", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
     _dialog("resume the map", "MapHands._ask_again", "f3", "u"),
+    _dialog("what the map teaches", "MapTeach.ask", "f3", "y", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
+    _dialog("north by the map", "MapTeach._offer_north", "f3", "y", "down", "enter"),
+    _dialog("beam by the map", "MapTeach._offer_beam", "f3", "y", "down", "down", "enter"),
     _dialog("by the signal", "SignalPage.do", "f3", "f", dialog="ChoiceScreen", holds="ChoiceScreen/OptionList"),
     _dialog("step-track", "SignalPage._find", "f3", "f", "down", "enter", **FIELDS),
     _dialog("on-off", "SignalPage._find", "f3", "f", "down", "down", "enter", **FIELDS),
@@ -178,9 +182,10 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             state, setup=setup_stand_in.ENGINES[place.engine], presets_file=presets, history_file=folder / "history",
             sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), keep_place=lambda *_place: None,
             calibrate=calibrate_stand_in.make(place.calibrate),
-            recordings_file=recordings_in(folder) if "R" in place.keys else None, **settings,
+            recordings_file=recordings_in(folder) if "R" in place.keys else None,
+            lessons=lessons_stand_in.Lessons(), **settings,
         )  # fmt: skip
-        if {("f3", "i"), ("f3", "u"), ("f3", "M"), ("m",)} & {place.keys[:2]}:
+        if {("f3", "i"), ("f3", "u"), ("f3", "M"), ("f3", "y"), ("m",)} & {place.keys[:2]}:
             open_map(app, folder)
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
         app.station.state = replace(app.station.state, **place.state)

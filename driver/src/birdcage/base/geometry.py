@@ -44,4 +44,4 @@ def separation(az1_deg: float, el1_deg: float, az2_deg: float, el2_deg: float) -
     d_az = math.radians(az2_deg - az1_deg)
     el1, el2 = math.radians(el1_deg), math.radians(el2_deg)
     h = math.sin((el2 - el1) / 2) ** 2 + math.cos(el1) * math.cos(el2) * math.sin(d_az / 2) ** 2
-    return math.degrees(2 * math.asin(min(1.0, math.sqrt(h))))
+    return math.degrees(2 * math.asin(math.sqrt(min(max(h, 0.0), 1.0))))
