@@ -9,6 +9,7 @@ from itertools import groupby
 import calibrate_stand_in
 import console_desk
 import horizon_stand_in
+import lessons_stand_in
 import pytest
 import setup_stand_in
 import sky_stand_in
@@ -41,7 +42,7 @@ def app_of(folder, place=None, state="idle"):
         state, setup=setup_stand_in.ENGINES[place.engine if place else "home"], presets_file=presets,
         history_file=folder / "history", sky=sky_stand_in.make(), horizon=horizon_stand_in.File(),
         keep_place=lambda *_place: None, calibrate=calibrate_stand_in.make(place.calibrate if place else "five"),
-        recordings_file=recordings_in(folder),
+        recordings_file=recordings_in(folder), lessons=lessons_stand_in.Lessons(),
     )  # fmt: skip
     open_map(app, folder)
     app.track._make = track_stand_in.Source(
