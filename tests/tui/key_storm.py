@@ -82,6 +82,8 @@ class Storm:
         async def dealing(typed):
             if isinstance(typed, Key) and typed.key == "space":
                 self._typed(typed)
+            else:
+                self._fates[id(typed)] = "dealt"
             await deal(typed)
 
         def meaning_stop(key):
@@ -141,7 +143,10 @@ class Storm:
         spent = [self._fates.get(id(key), "") for key in keys]
         for index, key in enumerate(keys):
             if key.key == "space" and not spent[index] and "stop" not in spent[index + 1 :]:
-                self.note("a Space was lost")
+                # What waited behind a STOP goes with it; once anything after it was dealt with, no Space may.
+                since = "".join(fate or "-" for fate in spent[:index]).rpartition("stop")
+                if not since[1] or since[2].strip("-"):
+                    self.note("a Space was lost")
 
     def step(self, seconds: float) -> None:
         """Let so much time of the dish pass."""
