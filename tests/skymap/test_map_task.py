@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import itertools
 import math
+import threading
 from types import SimpleNamespace
 
 import pytest
 from birdcage.base.config import load
-from birdcage.base.errors import CommandRefused, StoreError
+from birdcage.base.errors import CommandRefused, Held, StoreError
 from birdcage.base.geometry import shortest_turn
 from birdcage.skymap import map_file, map_keeper
 from birdcage.skymap.battery import Battery
-from birdcage.skymap.map_file import MapWriter, list_maps
+from birdcage.skymap.map_file import MapWriter, NewMap, list_maps
 from birdcage.skymap.map_request import MapRequest
 from birdcage.skymap.plan import MapFrame, MapOrder, MapPlan
 from birdcage.station.not_now import NotNow
 from birdcage.station.requests import AcknowledgeFault, AcquireLease, BeginTask, Home, Release, ReleaseLease
 from birdcage.station.task_state import TaskPhase
 
+from tests.skymap.made import made_map
 from tests.skymap.map_bench import SMALL, made
 
 
@@ -170,6 +172,20 @@ def test_a_program_that_dies_loses_no_direction_and_the_next_one_hears_none_agai
     assert sorted(each.cell for each in samples) == list(range(24))
 
 
+def test_a_program_that_dies_after_the_last_direction_leaves_nothing_but_the_end(tmp_path):
+    path = tmp_path / "signal.sqlite"
+    writer = MapWriter(path, NewMap("k1", SMALL, "tuner", "counts", decibels=False, demo=True, about={}))
+    for each in made_map(SMALL, lambda az, el: az).samples:
+        writer.add(each, {})
+    writer.close()
+    bench = made(tmp_path)
+    at = bench.clock.monotonic()
+    bench.begin()
+    assert bench.run().is_done
+    assert bench.moves_since(at) == []
+    assert bench.heard() == [(1, 24, True)]
+
+
 def test_an_unplugged_cable_interrupts_it_and_release_lets_it_go_on(tmp_path):
     bench = made(tmp_path)
     bench.begin()
@@ -286,6 +302,25 @@ def test_a_quiet_dish_turns_slower_and_gets_its_speed_back(tmp_path):
     assert [line for line in bench.lines() if line.startswith("mv ")]
 
 
+def test_a_map_over_north_goes_on_there(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(MapPlan(358.0, 362.0, 40.0, 40.0, 1.0, MapOrder.ROWS))
+    assert bench.run().is_done
+    assert [round(each.az_deg) % 360 for each in bench.read().samples] == [358, 359, 0, 1, 2]
+
+
+def test_a_map_that_is_refused_leaves_no_thread_and_no_file(tmp_path):
+    bench = made(tmp_path)
+    bench.station.stop("you")
+    bench.step(1.0)
+    before = threading.active_count()
+    with pytest.raises(Held):
+        bench.begin()
+    bench.step(1.0)
+    assert threading.active_count() == before
+    assert list_maps(bench.path) == []
+
+
 def test_snr_and_lock_are_read_where_that_is_asked_for(tmp_path):
     bench = made(tmp_path)
     bench.begin(MapPlan(178.0, 179.0, 40.0, 40.0, 1.0), details=True)
@@ -296,7 +331,8 @@ def test_snr_and_lock_are_read_where_that_is_asked_for(tmp_path):
 @pytest.mark.parametrize(("values", "words"), [
     ({"step_deg": 0.0}, "step is 0"), ({"key": ""}, "key is empty"), ({"order": "zigzag"}, "zigzag"),
     ({"source": "sdr"}, "no signal source called sdr"), ({"reads": -1}, "reads is -1"),
-    ({"frame": "target"}, "needs a path"),
+    ({"frame": "target"}, "needs a path"), ({"x_high_deg": math.inf}, "has no ends"), ({"spin": 1.0}, "no spin"),
+    ({"path": ((0.0, 1.0),), "frame": "target"}, "a row of the path"), ({"until_s": math.nan}, "until_s is nan"),
 ])  # fmt: skip
 def test_values_that_make_no_map_are_refused_and_nothing_moves(tmp_path, values, words):
     bench = made(tmp_path)

@@ -1,6 +1,7 @@
 """The grid of a map, and the order in which the dish goes through it."""
 
 import itertools
+import math
 
 import pytest
 from birdcage.skymap.plan import MapFrame, MapOrder, MapPlan
@@ -45,6 +46,8 @@ def test_a_spiral_begins_in_the_middle():
     ((220.0, 160.0, 25.0, 50.0, 1.0), "ends before it begins"), ((160.0, 220.0, 25.0, 50.0, 0.0), "step is 0°"),
     ((0.0, 400.0, 25.0, 50.0, 1.0), "wider than 360"), ((0.0, 360.0, 0.0, 90.0, 0.05), "give a longer step"),
     ((0.0, 10.0, 25.0, 95.0, 1.0), "Elevation goes from"),
+    ((0.0, math.inf, 25.0, 50.0, 1.0), "has no ends"), ((math.nan, 10.0, 25.0, 50.0, 1.0), "has no ends"),
+    ((0.0, 10.0, 25.0, 50.0, math.nan), "step is nan"),
 ])  # fmt: skip
 def test_what_is_no_region_is_refused_with_what_to_do(values, words):
     with pytest.raises(ValueError, match=words):

@@ -118,7 +118,7 @@ def name_cards(sky_map: SkyMap) -> Iterator[Card]:
     told = {
         "TELESCOP": (about.get("dish"), "dish"),
         "INSTRUME": (about.get("source_label") or sky_map.source, "signal source"),
-        "FEED": (about.get("feed"), "what hangs in the focus"),
+        "FEED": (about.get("feed"), "the feed that is fitted"),
         "FIRMWARE": (about.get("firmware"), "of the dish"),
         "OBJECT": (about.get("target") or sky_map.title, ""),
         "FILENAME": (about.get("file"), "where it was read from"),

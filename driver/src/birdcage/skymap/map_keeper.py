@@ -38,7 +38,8 @@ class KeptMap:
         self.ear, self.of_dish, self.decibels = ear, source.facts.of_dish, new.decibels
         self._source, self._station, self._awake = source, station, False
         self.heard = frozenset() if path is None else heard_cells(path, new.key)
-        self._writer = None if path is None else MapWriter(path, new)
+        self._new, self._path = new, path
+        self._writer: MapWriter | None = None
 
     @property
     def problem(self) -> str:
@@ -78,15 +79,21 @@ class KeptMap:
             self._station.submit(Watch(KIND, frozenset({POSITION}), 1.0) if on else Unwatch(KIND))
 
     def add(self, sample: MapSample) -> None:
-        """Keep it."""
-        if self._writer is not None:
-            self._writer.add(sample, self._settings())
+        """Keep it, if there is a file to keep it in."""
+        if writer := self._writing():
+            writer.add(sample, self._settings())
 
     def end(self, utc: datetime) -> None:
         """Every direction that can be heard was heard: wait until that is on the disk."""
-        if self._writer is not None:
-            self._writer.end(utc)
-            self._writer.flush()
+        if writer := self._writing():
+            writer.end(utc)
+            writer.flush()
+
+    def _writing(self) -> MapWriter | None:
+        """Return the writer, made when something is to be written: a task may be refused before."""
+        if self._writer is None and self._path is not None:
+            self._writer = MapWriter(self._path, self._new)
+        return self._writer
 
     def close(self) -> None:
         """Write what is waiting; nothing is added any more."""

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 import uuid
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from birdcage.kinematics import plan_slew
 from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
+from birdcage.signal.listen import check_number
+from birdcage.signal.source_path import SourcePath
 from birdcage.skymap.plan import MapFrame, MapPlan
 
 if TYPE_CHECKING:
@@ -71,6 +74,53 @@ class MapRequest:
             "until_s": self.until_s, "reference_az_deg": az_deg, "reference_el_deg": el_deg,
             "reference_every_s": self.reference_every_s if self.reference is not None else 0.0, "quiet": self.quiet,
         }  # fmt: skip
+
+    @classmethod
+    def of(cls, values: Mapping[str, TaskValue]) -> MapRequest:
+        """Return the request that `values` told, perhaps by another program. TypeError, with a sentence, for others."""
+        if unknown := values.keys() - UNSET.keys() - REGION:
+            raise TypeError(f"a map has no {min(unknown)}")
+        told = {**UNSET, **values}
+        try:
+            plan = MapPlan.of({name: told[name] for name in REGION & told.keys()})
+        except ValueError as error:
+            raise TypeError(str(error).removesuffix(".")) from error
+        key, path = told["key"], told["path"]
+        if not isinstance(key, str) or not key:
+            raise TypeError("key is empty. Give a text that no other map has")
+        numbers = {name: _checked(name, told[name], *span) for name, span in SPANS.items()}
+        follows = plan.frame is MapFrame.TARGET
+        if follows != bool(path):
+            raise TypeError("a map around a moving target needs a path, and no other one has it")
+        every_s, reference = numbers.pop("reference_every_s"), None
+        az_deg, el_deg = numbers.pop("reference_az_deg"), numbers.pop("reference_el_deg")
+        if every_s:
+            reference = az_deg, el_deg
+        reads = int(numbers.pop("reads"))  # other programs know no whole numbers
+        return cls(
+            plan, key, str(told["target"]), tuple(SourcePath.of(path).rows) if follows else (), str(told["source"]),
+            reads, bool(told["details"]), reference=reference, reference_every_s=every_s, quiet=bool(told["quiet"]),
+            **numbers,
+        )  # fmt: skip
+
+
+REGION = frozenset({"x_low_deg", "x_high_deg", "y_low_deg", "y_high_deg", "step_deg", "y_step_deg", "order", "frame"})
+UNSET: Mapping[str, TaskValue] = MappingProxyType({
+    "order": "coarse", "frame": "azel", "key": "", "target": "", "path": (), "source": "", "reads": 0,
+    "details": False, "start_s": 0.0, "until_s": 0.0, "reference_az_deg": 0.0, "reference_el_deg": 0.0,
+    "reference_every_s": 0.0, "quiet": False,
+})  # fmt: skip
+"""What holds where a program does not tell it of a map."""
+SPANS = {
+    "reads": (0, 1000), "start_s": (0.0, 1e11), "until_s": (0.0, 1e11), "reference_az_deg": (-720.0, 720.0),
+    "reference_el_deg": (-90.0, 90.0), "reference_every_s": (0.0, 1e6),
+}  # fmt: skip
+
+
+def _checked(name: str, value: TaskValue, low: float, high: float) -> float:
+    check_number(name, value, low, high)
+    assert isinstance(value, int | float), "it was checked"
+    return float(value)
 
 
 def again(head: MapHead, path: tuple[tuple[float, ...], ...] = ()) -> MapRequest:

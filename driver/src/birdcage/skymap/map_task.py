@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Callable, Generator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
 from statistics import fmean, stdev
@@ -15,12 +15,10 @@ from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import wrap_360
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import LOCK, RSSI, SNR, Reading
-from birdcage.signal.listen import check_number
 from birdcage.signal.source_path import SourcePath
 from birdcage.skymap.drift import Drift, drift_between, fit_cross
-from birdcage.skymap.map_keeper import LOW_PERCENT, KeptMap, MapKeeper
+from birdcage.skymap.map_keeper import LOW_PERCENT, MapKeeper
 from birdcage.skymap.map_request import CROSS_POINTS, KIND, MapRequest
-from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.skymap.sky_map import MapSample
 from birdcage.station.task import Report, Task
 from birdcage.station.task_state import TaskPhase, TaskValue
@@ -64,86 +62,41 @@ class _Heard:
 Hearing = Generator[Step, StepResult, _Heard | None]
 
 
-@dataclass
 class MapTask(Task):
-    """One map, or what is left of it: the file knows which directions were heard. Values as `MapRequest.values`."""
+    """One map, or what is left of it: the file knows which directions were heard."""
 
     kind = KIND
     cut_words = f"What was heard of the map is kept. {RESUME}"
     resume_words = "Release it, and the map goes on."
     homed_words = "Home it. The map then repeats its reference, and goes on."
-    holder: str
-    key: str
-    x_low_deg: float
-    x_high_deg: float
-    y_low_deg: float
-    y_high_deg: float
-    step_deg: float
-    order: str = "coarse"
-    frame: str = "azel"
-    target: str = ""
-    path: tuple[tuple[float, ...], ...] = ()
-    source: str = ""
-    reads: int = 0
-    details: bool = False
-    start_s: float = 0.0
-    until_s: float = 0.0
-    reference_az_deg: float = 0.0
-    reference_el_deg: float = 0.0
-    reference_every_s: float = 0.0
-    quiet: bool = False
-    keeper: MapKeeper = field(default_factory=MapKeeper, repr=False)
-    _kept: KeptMap | None = field(default=None, init=False)
-    _heard: set[int] = field(default_factory=set, init=False)
-    _beyond: set[int] = field(default_factory=set, init=False)
-    """Directions that this dish can't go to."""
-    _newest: deque[tuple[float, ...]] = field(default_factory=lambda: deque(maxlen=NEWEST), init=False)
-    _at_s: deque[float] = field(default_factory=lambda: deque(maxlen=PACE), init=False)
-    """When the last directions were heard."""
-    _crosses: int = field(default=0, init=False)
-    _first_cross: BeamFit | None = field(default=None, init=False)
-    _drift: Drift | None = field(default=None, init=False)
-    _crossed_s: float = field(default=-math.inf, init=False)
-    _looked_s: float = field(default=-math.inf, init=False)
-    _middle_s: float = field(default=1.0, init=False)
-    """From the command to go somewhere to the middle of the time of listening there."""
-    _why_over: str = field(default="", init=False)
-    _report: Report | None = field(default=None, init=False, repr=False)
 
-    def __post_init__(self) -> None:
-        """Raise TypeError, which refuses the task, for values that make no map: they may come from another program."""
-        try:
-            self.plan = MapPlan.of({
-                "x_low_deg": self.x_low_deg, "x_high_deg": self.x_high_deg, "y_low_deg": self.y_low_deg,
-                "y_high_deg": self.y_high_deg, "step_deg": self.step_deg, "order": self.order, "frame": self.frame,
-            })  # fmt: skip
-        except ValueError as error:
-            raise TypeError(str(error).removesuffix(".")) from error
-        if not self.key or not isinstance(self.key, str):
-            raise TypeError("key is empty. Give a text that no other map has")
-        for name, low, high in (
-            ("reads", 0, 1000), ("start_s", 0.0, 1e11), ("until_s", 0.0, 1e11), ("reference_az_deg", -720.0, 720.0),
-            ("reference_el_deg", -90.0, 90.0), ("reference_every_s", 0.0, 1e6),
-        ):  # fmt: skip
-            check_number(name, getattr(self, name), low, high)
-        self.reads = int(self.reads)  # other programs know no whole numbers
-        follows = self.plan.frame is MapFrame.TARGET
-        if follows != bool(self.path):
-            raise TypeError("a map around a moving target needs a path, and no other one has it")
-        self._path = SourcePath.of(self.path) if follows else None
-        self._kept = self.keeper.open(
-            MapRequest(
-                self.plan, self.key, self.target, self.path, self.source, self.reads, self.details, self.start_s,
-                self.until_s, (self.reference_az_deg, self.reference_el_deg) if self.reference_every_s else None,
-                self.reference_every_s, self.quiet,
-            )
-        )  # fmt: skip
-        self._heard = set(self._kept.heard)
+    def __init__(self, holder: str, keeper: MapKeeper, **values: TaskValue) -> None:
+        """`values` as `MapRequest.values` has them. TypeError, which refuses the task, for others."""
+        self.holder, self._keeper = holder, keeper
+        self._request = request = MapRequest.of(values)
+        self._plan = request.plan
+        self._path = SourcePath.of(request.path) if request.path else None
+        self._map = keeper.open(request)
+        self._heard = set(self._map.heard)
+        self._beyond: set[int] = set()
+        """Directions that this dish can't go to."""
+        self._newest: deque[tuple[float, ...]] = deque(maxlen=NEWEST)
+        self._at_s: deque[float] = deque(maxlen=PACE)
+        """When the last directions were heard."""
+        self._crosses = 0
+        self._first_cross: BeamFit | None = None
+        self._drift: Drift | None = None
+        self._crossed_s = self._looked_s = -math.inf
+        """When the reference was heard last, and when the battery was looked at; POSIX seconds."""
+        self._middle_s = 1.0
+        """From the command to go somewhere to the middle of the time of listening there."""
+        self._why_over = ""
+        self._report: Report | None = None
 
     @property
     def keeps_speeds(self) -> bool:
         """Whether speeds that it has changed stay so between two moves."""
-        return self.quiet
+        return self._request.quiet
 
     def bind(self, report: Report) -> None:
         """Take what tells the host of a countdown."""
@@ -155,11 +108,6 @@ class MapTask(Task):
         if phase is TaskPhase.OVER:
             self._map.close()
 
-    @property
-    def _map(self) -> KeptMap:
-        assert self._kept is not None, "it was opened as the task was made"
-        return self._kept
-
     # Its steps
 
     def steps(self, now_s: float, *, asked: bool) -> Steps:
@@ -168,31 +116,36 @@ class MapTask(Task):
         with self._map.ear.open():
             yield from self._set_up()
             self._crossed_s = -math.inf  # whatever came between may have moved the dish
-            for cell in self.plan.sequence:
+            for cell in self._plan.sequence:
                 if cell in self._heard or cell in self._beyond:
                     continue
-                if self.until_s and now_s >= self.until_s:
-                    self._why_over = f"It is {_clock(self.until_s)}."
+                if self._request.until_s and now_s >= self._request.until_s:
+                    self._why_over = f"It is {_clock(self._request.until_s)}."
                     return
                 yield from self._look_around(now_s)
                 yield from self._hear(cell)
                 now_s = (yield Wait(0.0)).now_s
-            if self.reference_every_s and self._crosses:
-                yield from self._cross()
+            if self._request.reference is not None and self._crosses:
+                yield from self._cross(*self._request.reference)
         self._map.end(_utc(now_s))
         self._check_disk()
 
     def _wait_for_start(self, now_s: float, *, asked: bool) -> Generator[Step, StepResult, float]:
         """Wait until it is time, with a countdown where the person who asked for it may have gone."""
-        if now_s >= self.start_s:
+        if now_s >= self._request.start_s:
             return now_s
         self._map.keep_awake(on=True)
         if self._report is not None:
-            self._report(TaskPhase.WAITING, f"The map begins at {_clock(self.start_s)}.", KIND, _utc(self.start_s))
-        while now_s < self.start_s - COUNTDOWN_S:
-            now_s = (yield Wait(min(now_s + LOOK_S, self.start_s - COUNTDOWN_S))).now_s
+            self._report(
+                TaskPhase.WAITING,
+                f"The map begins at {_clock(self._request.start_s)}.",
+                KIND,
+                _utc(self._request.start_s),
+            )
+        while now_s < self._request.start_s - COUNTDOWN_S:
+            now_s = (yield Wait(min(now_s + LOOK_S, self._request.start_s - COUNTDOWN_S))).now_s
         if asked and self._report is not None:
-            begins_s = max(now_s + COUNTDOWN_S, self.start_s)
+            begins_s = max(now_s + COUNTDOWN_S, self._request.start_s)
             self._report(TaskPhase.COUNTDOWN, "The dish is about to move.", KIND, _utc(begins_s))
             now_s = (yield Wait(begins_s)).now_s
             self._report(TaskPhase.RUNNING, "", "", None)
@@ -201,8 +154,8 @@ class MapTask(Task):
 
     def _set_up(self) -> Steps:
         """Turn slowly, if that was asked for, and read how the receiver is set."""
-        if self.quiet:
-            yield LimitSpeeds(self.keeper.speeds_deg_s(QUIET_PART))
+        if self._request.quiet:
+            yield LimitSpeeds(self._keeper.speeds_deg_s(QUIET_PART))
         if ids := self._map.settings_ids:
             yield ReadFeatures(ids)
 
@@ -211,13 +164,13 @@ class MapTask(Task):
         self._check_disk()
         if now_s >= self._looked_s + LOOK_S:
             self._looked_s = now_s
-            battery = self.keeper.battery()
+            battery = self._keeper.battery()
             if battery is not None and battery.is_low(LOW_PERCENT):
                 yield from self._shelter(battery.percent)
-        if self.reference_every_s and now_s >= self._crossed_s + self.reference_every_s:
+        if self._request.reference is not None and now_s >= self._crossed_s + self._request.reference_every_s:
             self._crossed_s = now_s
             yield from self._set_up()
-            yield from self._cross()
+            yield from self._cross(*self._request.reference)
 
     def _check_disk(self) -> None:
         if problem := self._map.problem:
@@ -225,7 +178,7 @@ class MapTask(Task):
 
     def _shelter(self, percent: float) -> Steps:
         """Park while there is power to do so, and end."""
-        park, words = self.keeper.park, "the dish stays here"
+        park, words = self._keeper.park, "the dish stays here"
         if park is not None:
             yield PointAt(*park, optional=True)
             words = "the dish is parked"
@@ -238,7 +191,7 @@ class MapTask(Task):
 
     def _hear(self, cell: int) -> Steps:
         begun = yield Wait(0.0)
-        x_deg, y_deg = self.plan.at(cell)
+        x_deg, y_deg = self._plan.at(cell)
         aim = None if self._path is None else self._path.at(begun.now_s + self._middle_s)
         to = (x_deg, y_deg) if aim is None else _beside(aim, x_deg, y_deg)
         sample = None if to is None else (yield from self._listen(*to, cell=cell))
@@ -269,10 +222,10 @@ class MapTask(Task):
 
     def _by_tuner(self, az_deg: float, el_deg: float) -> Hearing:
         """Hear by the dish's own tuner; SNR and lock, too, in the same visit to its menu."""
-        ids = (RSSI, *self._map.told_of((SNR, LOCK) if self.details else ()))
+        ids = (RSSI, *self._map.told_of((SNR, LOCK) if self._request.details else ()))
         there = yield HearAt(az_deg, el_deg, optional=True, ids=ids)
         levels = [there.readings.get(RSSI)]
-        for _ in range(1, self.reads):
+        for _ in range(1, self._request.reads):
             again = yield ReadFeatures((RSSI,))
             levels.append(again.readings.get(RSSI))
         told = [level for level in levels if level is not None]
@@ -287,17 +240,16 @@ class MapTask(Task):
         there = yield PointAt(az_deg, el_deg, optional=True, brisk=True)
         if there.true_az_deg is None or there.true_el_deg is None:
             return None
-        values = yield from self._map.ear.values(self.reads or self._map.ear.reads)
+        values = yield from self._map.ear.values(self._request.reads or self._map.ear.reads)
         ended_s = (yield Wait(0.0)).now_s
         integration_s = round(ended_s - there.now_s, 3)
         return _Heard(there.true_az_deg, there.true_el_deg, values, (there.now_s + ended_s) / 2.0, integration_s, {})
 
-    def _cross(self) -> Steps:
+    def _cross(self, az_deg: float, el_deg: float) -> Steps:
         """Hear the reference: a line of directions through it along either axis."""
-        width_deg, half = self.keeper.beam_deg, CROSS_POINTS // 2
+        width_deg, half = self._keeper.beam_deg, CROSS_POINTS // 2
         steps = [CROSS_STEP * width_deg * step for step in range(-half, half + 1)]
-        across = 1.0 / math.cos(math.radians(self.reference_el_deg))
-        az_deg, el_deg = self.reference_az_deg, self.reference_el_deg
+        across = 1.0 / math.cos(math.radians(el_deg))
         points = []
         for to in (*((az_deg + step * across, el_deg) for step in steps), *((az_deg, el_deg + step) for step in steps)):
             sample = yield from self._listen(*to)
@@ -315,7 +267,7 @@ class MapTask(Task):
     @property
     def progress(self) -> tuple[int, int]:
         """How many directions were heard, and of how many."""
-        return len(self._heard), self.plan.cells - len(self._beyond)
+        return len(self._heard), self._plan.cells - len(self._beyond)
 
     @property
     def found(self) -> Mapping[str, TaskValue]:
@@ -324,7 +276,11 @@ class MapTask(Task):
         `beyond`: how many directions are out of reach. After the second reference cross `gain` (parts of the first,
         or decibels), `right_deg`, `up_deg` and `lost_steps`.
         """
-        told: dict[str, TaskValue] = {"map": self.key, "newest": tuple(self._newest), "beyond": len(self._beyond)}
+        told: dict[str, TaskValue] = {
+            "map": self._request.key,
+            "newest": tuple(self._newest),
+            "beyond": len(self._beyond),
+        }
         if len(self._at_s) > 1:
             pace_s = (self._at_s[-1] - self._at_s[0]) / (len(self._at_s) - 1)
             heard, of = self.progress

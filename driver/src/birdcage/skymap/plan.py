@@ -55,6 +55,8 @@ class MapPlan:
 
     def __post_init__(self) -> None:
         """Raise ValueError, with a sentence, for what is no region, or one with too many directions."""
+        if not all(map(math.isfinite, (self.x_low_deg, self.x_high_deg, self.y_low_deg, self.y_high_deg))):
+            raise ValueError("The region has no ends. Give two angles for each axis: 160:220.")
         for step_deg in (self.step_deg, self.row_step_deg):
             if not 0.0 < step_deg <= 90.0:
                 raise ValueError(f"The step is {step_deg:g}°. Give more than 0, and at most 90.")

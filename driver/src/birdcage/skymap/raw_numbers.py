@@ -1,4 +1,4 @@
-"""Numbers out of raw text that anybody may have made: within bounds, and with an error that says what is wrong."""
+"""Reads numbers from raw text of unknown origin: within bounds, with an error that says what is wrong."""
 
 from __future__ import annotations
 
