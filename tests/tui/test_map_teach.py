@@ -20,6 +20,7 @@ from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.widgets.choice_screen import ChoiceScreen
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from horizon_stand_in import File
+from map_stand_in import settle
 
 from tests.skymap.arcs import simulated_arc
 from tests.skymap.suns import around, simulated
@@ -50,12 +51,6 @@ def on_f3(test, sky, keys=(), *, size=(120, 36), lessons=True, make=None, **sett
             return await test(app, pilot)
 
     return asyncio.run(body())
-
-
-async def settle(app, pilot):
-    app.paint()
-    await pilot.pause()
-    await pilot.pause()
 
 
 async def read(app, _pilot):
