@@ -89,7 +89,9 @@ def test_a_slot_is_a_reference(placed):
     (("scan",), "Which part of the sky?"), (("scan", "--az", "160", "--el", "20:30"), "is no range of degrees"),
     (("scan", "--az", "160:170", "--el", "70:80"), "is out of reach. This dish reaches 18 to 65"),
     ((*SMALL, "--start", "noon"), "is not a time. Type 23:00"),
-    ((*SMALL, "--resume", "7"), "No unfinished map has the number 7"),
+    (("scan", "--resume", "7"), "No unfinished map has the number 7"),
+    ((*SMALL, "--resume"), "--resume goes on with a map as it was begun. Leave --az out."),
+    (("scan", "--resume", "--until", "soon"), "No map is unfinished."),
 ])  # fmt: skip
 def test_what_makes_no_map_is_refused_with_what_to_do(run, words, said):
     result = run(*words)

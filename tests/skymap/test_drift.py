@@ -4,7 +4,7 @@ import math
 from datetime import timedelta
 
 import pytest
-from birdcage.skymap.drift import crosses_of, drift_of, without_drift
+from birdcage.skymap.drift import crosses_in, drift_of, without_drift
 from birdcage.skymap.plan import MapPlan
 from birdcage.skymap.sky_map import SkyMap
 
@@ -40,8 +40,16 @@ def drifting(gain_at):
     return SkyMap(1, plan, BEGUN, None, "tuner", "counts", False, True, samples=samples, crosses=crosses)
 
 
+def made_in(sky_map):
+    return crosses_in(sky_map.crosses, decibels=sky_map.decibels)
+
+
+def changes_in(sky_map):
+    return drift_of(made_in(sky_map), decibels=sky_map.decibels)
+
+
 def test_a_cross_finds_its_source():
-    made = crosses_of(drifting(lambda _s: 1.0))
+    made = made_in(drifting(lambda _s: 1.0))
     assert [each.number for each in made] == [0, 1]
     assert made[0].fit.az_deg == pytest.approx(AZ, abs=0.05)
     assert made[0].fit.rise == pytest.approx(RISE, rel=0.05)
@@ -49,8 +57,8 @@ def test_a_cross_finds_its_source():
 
 def test_gain_that_falls_is_told_and_taken_out():
     drift = drifting(lambda at_s: 1.0 - (at_s - 100.0) / 1000.0)
-    assert [round(each.gain, 3) for each in drift_of(drift)] == [1.0, 0.81]
-    assert not any(each.lost_steps for each in drift_of(drift))
+    assert [round(each.gain, 3) for each in changes_in(drift)] == [1.0, 0.81]
+    assert not any(each.lost_steps for each in changes_in(drift))
     flat = without_drift(drift)
     assert max(each.value for each in drift.samples) - min(each.value for each in drift.samples) > 100.0
     for each in flat.samples:
@@ -62,7 +70,7 @@ def test_a_dish_that_lost_steps_is_told():
     still = drifting(lambda _s: 1.0)
     lost = SkyMap(1, still.plan, BEGUN, None, "tuner", "counts", False, True,
                   crosses=(*cross(0, 0.0), *cross(1, 3600.0, right_deg=0.8)))  # fmt: skip
-    drift = drift_of(lost)[1]
+    drift = changes_in(lost)[1]
     assert drift.right_deg == pytest.approx(0.8, abs=0.05)
     assert drift.lost_steps
 

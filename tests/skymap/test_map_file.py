@@ -7,7 +7,7 @@ import pytest
 from birdcage.base.errors import StoreError
 from birdcage.base.store import open_database
 from birdcage.skymap import map_file
-from birdcage.skymap.map_file import MapWriter, NewMap, find_map, heard_cells, list_maps, read_map
+from birdcage.skymap.map_file import MapWriter, NewMap, find_map, heard_so_far, list_maps, read_map
 from birdcage.skymap.plan import MapPlan
 
 from tests.skymap.made import made_map, sample
@@ -47,7 +47,7 @@ def test_a_map_that_is_resumed_keeps_each_direction_once_and_its_first_value(tmp
     samples = made_map(PLAN, lambda az, el: az).samples
     write(path, samples[:3])
     assert find_map(path, "k1").ended is None
-    assert heard_cells(path, "k1") == {each.cell for each in samples[:3]}
+    assert heard_so_far(path, "k1")[0] == {each.cell for each in samples[:3]}
     write(path, [replace(samples[2], value=-1.0), *samples[3:]])
     assert [each.value for each in read_map(path, 1).samples] == [each.value for each in samples]
     assert [head.heard for head in list_maps(path)] == [6]
@@ -93,18 +93,20 @@ def test_a_full_disk_is_told_and_what_was_kept_stays(tmp_path, monkeypatch):
     writer.close()
     assert "full" in writer.problem
     assert "resume the map" in writer.problem
-    kept = heard_cells(path, "k1")
+    kept, _crosses = heard_so_far(path, "k1")
     assert {each.cell for each in samples[:2]} <= kept
     assert len(kept) == 2 + writer.kept < 6
 
 
 def test_what_is_no_map_is_refused_and_left_alone(tmp_path):
     path = tmp_path / "signal.sqlite"
-    assert (list_maps(path), heard_cells(path, "k1")) == ([], frozenset())
+    assert (list_maps(path), heard_so_far(path, "k1")) == ([], (frozenset(), ()))
     write(path, made_map(PLAN, lambda az, el: az).samples)
     with pytest.raises(StoreError, match="no map 7"):
         read_map(path, 7)
     with sqlite3.connect(path) as connection:
         connection.execute("UPDATE map SET plan = '{}'")
     with pytest.raises(StoreError, match="damaged"):
-        list_maps(path)
+        read_map(path, 1)
+    write(path, made_map(PLAN, lambda az, el: az).samples, replace(NEW, key="k2"))
+    assert [head.number for head in list_maps(path)] == [2]

@@ -53,6 +53,8 @@ def test_the_estimate_goes_by_the_speeds_of_the_dish_and_what_is_left():
     half = estimate(MapRequest(PLAN), state(), dwell_s=None, heard=PLAN.sequence[:1000])
     assert half.directions == 891
     assert half.words == "891 directions, about 10 min"
+    quiet = estimate(MapRequest(PLAN, quiet=True), state(), dwell_s=None)
+    assert quiet.seconds > quick.seconds + 10.0
     rows = estimate(MapRequest(replace(PLAN, order=MapOrder.ROWS)), state(), dwell_s=None)
     assert rows.seconds < quick.seconds
     crosses = estimate(MapRequest(PLAN, reference=(170.0, 40.0), reference_every_s=600.0), state(), dwell_s=None)

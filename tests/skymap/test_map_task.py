@@ -5,13 +5,14 @@ from __future__ import annotations
 import itertools
 import math
 import threading
+from statistics import fmean
 from types import SimpleNamespace
 
 import pytest
 from birdcage.base.config import load
 from birdcage.base.errors import CommandRefused, Held, StoreError
 from birdcage.base.geometry import shortest_turn
-from birdcage.skymap import map_file, map_keeper
+from birdcage.skymap import map_file, map_keeper, map_task
 from birdcage.skymap.battery import Battery
 from birdcage.skymap.map_file import MapWriter, NewMap, list_maps
 from birdcage.skymap.map_request import MapRequest
@@ -19,6 +20,7 @@ from birdcage.skymap.plan import MapFrame, MapOrder, MapPlan
 from birdcage.station.not_now import NotNow
 from birdcage.station.requests import AcknowledgeFault, AcquireLease, BeginTask, Home, Release, ReleaseLease
 from birdcage.station.task_state import TaskPhase
+from birdcage.tracking.steps import HearAt
 
 from tests.skymap.made import made_map
 from tests.skymap.map_bench import SMALL, made
@@ -288,6 +290,86 @@ def test_a_map_around_a_moving_target_stays_with_it(tmp_path):
         right = shortest_turn(each.aim_az_deg, each.az_deg) * math.cos(math.radians(each.el_deg))
         assert (right, each.el_deg - each.aim_el_deg) == (pytest.approx(x, abs=0.1), pytest.approx(y, abs=0.1))
     assert read.about["target"] == "mover"
+
+
+def test_a_map_around_a_target_ends_where_its_way_was_computed_to(tmp_path):
+    bench = made(tmp_path)
+    now_s = bench.clock.utc().timestamp()
+    plan = MapPlan(-3.0, 3.0, -3.0, 3.0, 1.0, frame=MapFrame.TARGET)
+    bench.begin(plan, path=((now_s, 170.0, 40.0), (now_s + 8.0, 170.2, 40.0)), target="mover")
+    ended = bench.run()
+    assert 3 < ended.done < 49
+    assert ended.why.startswith(
+        f"The way of the target was computed up to here. {ended.done} of 49 directions are heard."
+    )
+    assert bench.heard() == [(1, ended.done, False)]
+
+
+def test_what_a_moving_target_has_out_of_reach_now_is_left_for_later(tmp_path):
+    bench = made(tmp_path)
+    now_s = bench.clock.utc().timestamp()
+    plan = MapPlan(0.0, 0.0, -2.0, 2.0, 1.0, MapOrder.COLUMNS, MapFrame.TARGET)
+    bench.begin(plan, path=((now_s, 170.0, 18.5), (now_s + 3600.0, 171.0, 18.6)), target="mover")
+    ended = bench.run()
+    assert ended.why.startswith("3 of 5 directions are heard. 2 more are out of reach. Resume it")
+    assert bench.heard() == [(1, 3, False)]
+    now_s = bench.clock.utc().timestamp()
+    bench.begin(plan, path=((now_s, 175.0, 30.0), (now_s + 3600.0, 176.0, 30.0)), target="mover")
+    assert bench.run().why == "The map is complete: 5 directions."
+
+
+def test_a_direction_in_which_nothing_could_be_read_is_left_for_later(tmp_path, monkeypatch):
+    bench = made(tmp_path)
+    told = HearAt
+    asked = []
+
+    def without_level(az_deg, el_deg, **more):
+        asked.append(az_deg)
+        return told(az_deg, el_deg, **{**more, "ids": () if len(asked) == 4 else more["ids"]})
+
+    monkeypatch.setattr(map_task, "HearAt", without_level)
+    bench.begin()
+    ended = bench.run()
+    assert ended.why.startswith("23 of 24 directions are heard. 1 could not be read. Resume it")
+    assert bench.heard() == [(1, 23, False)]
+    bench.begin()
+    assert bench.run().is_done
+    assert bench.heard() == [(1, 24, True)]
+
+
+def test_a_cross_that_was_cut_short_and_those_of_the_next_program_have_numbers_of_their_own(tmp_path):
+    bench = made(tmp_path)
+    reference = {"reference": (176.0, 43.0), "reference_every_s": 3600.0}
+    bench.begin(**reference)
+    bench.step(4.0)
+    bench.station.stop("you")
+    bench.run()
+    bench.do(Release("you"))
+    bench.begin(**reference)
+    assert bench.run().is_done
+    numbers = [each.cross_number for each in bench.read().crosses]
+    assert numbers == sorted(numbers)
+    assert set(numbers) == {0, 1, 2}
+    assert 0 < numbers.count(0) < 10
+    assert (numbers.count(1), numbers.count(2)) == (10, 10)
+
+
+def test_the_scatter_is_that_of_one_of_the_readings_that_are_counted(tmp_path):
+    bench = made(tmp_path)
+    bench.begin(MapPlan(178.0, 183.0, 40.0, 40.0, 1.0), reads=8)
+    bench.run()
+    samples = bench.read().samples
+    assert {each.n for each in samples} == {80}
+    noise = fmean(each.scatter for each in samples)
+    assert noise > 1.0  # ten are averaged by the firmware: between such means it is a third of that
+
+
+def test_a_park_position_out_of_reach_is_said(tmp_path):
+    file = tmp_path / "birdcage.toml"
+    file.write_text("[tracking]\npark_az_deg = 120.0\npark_el_deg = 5.0\n")
+    bench = made(tmp_path, battery=lambda: Battery(9.0, on_mains=False), settings=load(file, environ={}))
+    bench.begin()
+    assert "the park position is out of reach, so the dish stays here" in bench.run().why
 
 
 def test_a_quiet_dish_turns_slower_and_gets_its_speed_back(tmp_path):

@@ -47,8 +47,8 @@ class ScanOptions:
 def request_of(options: ScanOptions, wants: Wanted, state: StationState) -> MapRequest:
     """Return what is to be made. click.UsageError with a sentence for what makes no map."""
     now_s = time.time()
+    start_s, until_s = _times(options, now_s)
     try:
-        start_s, until_s = typed_times(options.start, options.until, now_s)
         plan = within_reach(_plan(options, state), state)
     except ValueError as error:
         raise click.UsageError(str(error)) from error
@@ -91,21 +91,43 @@ def _reference(text: str, wants: Wanted, now_s: float) -> tuple[float, float] | 
     return path.at(now_s)
 
 
-def resumed(number: str, wants: Wanted) -> tuple[MapRequest, MapHead]:
-    """Return what goes on with an unfinished map: of this number, or the newest one for `newest`."""
+def resumed(number: str, options: ScanOptions, wants: Wanted) -> tuple[MapRequest, MapHead]:
+    """Return what goes on with an unfinished map: of this number, or the newest one for `newest`.
+
+    click.UsageError where there is none, or for options that would make another map of it.
+    """
+    begun = {"--az": options.az, "--el": options.el, "--step": options.step_deg, "--around": options.around,
+             "--reference": options.reference, "--reads": options.reads, "--details": options.details,
+             "--quiet": options.quiet}  # fmt: skip
+    if given := [name for name, value in begun.items() if value]:
+        raise click.UsageError(f"--resume goes on with a map as it was begun. Leave {given[0]} out.")
     heads = [head for head in list_maps(wants.paths.signal_recordings) if head.ended is None]
     if number != "newest":
         heads = [head for head in heads if str(head.number) == number]
     if not heads:
         which = "No map is unfinished." if number == "newest" else f"No unfinished map has the number {number}."
         raise click.UsageError(f"{which} `birdcage maps` lists them.")
-    head = heads[0]
+    head, now_s = heads[0], time.time()
+    start_s, until_s = _times(options, now_s)
     path: tuple[tuple[float, ...], ...] = ()
     if head.plan.frame is MapFrame.TARGET:
-        path = _path(str(head.about.get("target")), wants, time.time())
-    return again(head, path), head
+        path = _path(str(head.about.get("target")), wants, max(start_s, now_s))
+    return replace(again(head, path), start_s=start_s, until_s=until_s), head
 
 
-def fresh(request: MapRequest) -> MapRequest:
+def fresh(request: MapRequest, wants: Wanted) -> MapRequest:
     """Return the request for another map of the same kind, from now on."""
-    return replace(request, key="", start_s=0.0)
+    path = _path(request.target, wants, time.time()) if request.path else ()
+    return replace(request, key="", start_s=0.0, path=path)
+
+
+def still_time(request: MapRequest) -> bool:
+    """Return whether the time to end has not come yet."""
+    return not request.until_s or time.time() < request.until_s
+
+
+def _times(options: ScanOptions, now_s: float) -> tuple[float, float]:
+    try:
+        return typed_times(options.start, options.until, now_s)
+    except ValueError as error:
+        raise click.UsageError(str(error)) from error

@@ -52,14 +52,14 @@ class Drift:
         return off > max(LEAST_LOST_DEG, LOST_SIGMAS * self.sigma_deg)
 
 
-def crosses_of(sky_map: SkyMap) -> list[ReferenceCross]:
-    """Return the reference crosses of a map, each with the beam that fits it."""
+def crosses_in(points: Sequence[MapSample], *, decibels: bool) -> list[ReferenceCross]:
+    """Return the reference crosses that points in the order of time make, each with the beam that fits it."""
     made = []
-    for number, points in groupby(sky_map.crosses, key=lambda each: each.cross_number):
-        cross = list(points)
-        at = sorted(each.utc for each in cross if each.utc is not None)
+    for number, cross in groupby(points, key=lambda each: each.cross_number):
+        heard = list(cross)
+        at = sorted(each.utc for each in heard if each.utc is not None)
         if number is not None and at:
-            made.append(ReferenceCross(number, at[len(at) // 2], fit_cross(cross, decibels=sky_map.decibels)))
+            made.append(ReferenceCross(number, at[len(at) // 2], fit_cross(heard, decibels=decibels)))
     return made
 
 
@@ -76,10 +76,10 @@ def _noise(points: Sequence[MapSample]) -> float:
     return median(scatters) if scatters else 0.0
 
 
-def drift_of(sky_map: SkyMap) -> list[Drift]:
+def drift_of(crosses: Sequence[ReferenceCross], *, decibels: bool) -> list[Drift]:
     """Return what has changed since the first cross that found its source, cross by cross; none where none did."""
-    found = [(each.utc, each.fit) for each in crosses_of(sky_map) if each.fit is not None]
-    return [drift_between(found[0][1], fit, utc, decibels=sky_map.decibels) for utc, fit in found]
+    found = [(each.utc, each.fit) for each in crosses if each.fit is not None]
+    return [drift_between(found[0][1], fit, utc, decibels=decibels) for utc, fit in found]
 
 
 def drift_between(first: BeamFit, now: BeamFit, utc: datetime, *, decibels: bool) -> Drift:
@@ -96,11 +96,12 @@ def without_drift(sky_map: SkyMap) -> SkyMap:
     Between two crosses both change evenly with time. Decibels have the gain subtracted. Directions are those that the
     dish told: `Drift.lost_steps` says where these are in doubt. A map with fewer than two crosses comes back as it is.
     """
-    drift = drift_of(sky_map)
-    crosses = [each for each in crosses_of(sky_map) if each.fit is not None]
-    if len(drift) < 2 or crosses[0].fit is None:
+    crosses = crosses_in(sky_map.crosses, decibels=sky_map.decibels)
+    drift = drift_of(crosses, decibels=sky_map.decibels)
+    if len(drift) < 2:
         return sky_map
-    times, floor = [each.utc.timestamp() for each in drift], crosses[0].fit.floor
+    times = [each.utc.timestamp() for each in drift]
+    floor = next(each.fit.floor for each in crosses if each.fit is not None)
 
     def flat(sample: MapSample) -> MapSample:
         if sample.utc is None:

@@ -26,7 +26,6 @@ NAMES = [each.name for each in fields(MapSample)]
 COLUMNS = ", ".join(NAMES)
 TEXTS = ("polarisation", "target", "state")
 CLOSE_S = 5.0
-FULL = "Free some room, then resume the map"
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +76,7 @@ def list_maps(path: Path) -> list[MapHead]:
         return []
     with reading_from(path) as connection:
         rows = connection.execute(f"{_HEADS} GROUP BY map.id ORDER BY map.id DESC").fetchall()
-    return [_head(row) for row in rows]
+    return [head for row in rows if (head := _head(row)) is not None]
 
 
 def find_map(path: Path, key: str) -> MapHead | None:
@@ -99,6 +98,8 @@ def read_map(path: Path, number: int) -> SkyMap:
     of = {identity: index for index, (identity, _told) in enumerate(settings)}
     samples = [_sample(row, of) for row in rows]
     told = _head(head)
+    if told is None:
+        raise StoreError(f"Map {number} is damaged: its region can't be read.")
     return SkyMap(
         told.number, told.plan, told.begun, told.ended, told.source, told.unit, told.decibels, told.demo, told.about,
         tuple(clean_all(json.loads(text)) for _identity, text in settings) or ({},),
@@ -107,12 +108,13 @@ def read_map(path: Path, number: int) -> SkyMap:
     )  # fmt: skip
 
 
-def _head(row: Sequence[Any]) -> MapHead:
+def _head(row: Sequence[Any]) -> MapHead | None:
+    """Return it; None for one whose region can't be read."""
     number, key, plan, begun, ended, source, unit, decibels, demo, about, heard, low, high = row
     try:
         made = MapPlan.of(json.loads(plan))
-    except ValueError as error:
-        raise StoreError(f"Map {number} is damaged: {error} The others can be read.") from error
+    except ValueError:
+        return None
     return MapHead(
         number, key, made, datetime.fromisoformat(begun), None if ended is None else datetime.fromisoformat(ended),
         clean(source), clean(unit), bool(decibels), bool(demo), clean_all(json.loads(about)), heard, low, high,
@@ -169,24 +171,27 @@ class MapWriter:
             with closing(open_database(self._path, MIGRATIONS)) as connection:
                 connection.execute("PRAGMA synchronous = FULL")  # a power cut must not take back a direction
                 connection.execute("BEGIN IMMEDIATE")
-                number = self._insert(connection, rows)
+                number = self._insert(connection, rows, may_end=not dropped)
                 connection.execute("COMMIT")
         except (StoreError, sqlite3.Error) as error:  # what was begun is undone as the file is closed
-            self.problem = f"The map can't be kept: {error}. {FULL}."
+            advice = "Free some room, then resume" if "full" in str(error) else "Mend that, then resume"
+            self.problem = f"The map can't be kept: {error}. {advice} the map."
             return
         self.number = number
         self.kept += sum(sample is not None and sample.cell is not None for sample, _told in rows)
         if dropped:
-            self.problem = f"The disk is too slow for the map. {FULL}."
+            self.problem = "The disk is too slow for the map, so it has ended. Resume it on another disk, or later."
 
-    def _insert(self, connection: sqlite3.Connection, rows: list[tuple[MapSample | None, str]]) -> int:
+    def _insert(
+        self, connection: sqlite3.Connection, rows: list[tuple[MapSample | None, str]], *, may_end: bool
+    ) -> int:  # fmt: skip
         samples = [(sample, told) for sample, told in rows if sample is not None]
         number, marks = self._begin(connection, samples[0][0] if samples else None), ", ".join("?" * (len(NAMES) + 1))
         connection.executemany(
             f"INSERT OR IGNORE INTO map_sample (map, {COLUMNS}) VALUES ({marks})",  # noqa: S608 - question marks
             [(number, *self._values(connection, number, sample, told)) for sample, told in samples],
         )
-        for ended in (told for sample, told in rows if sample is None):
+        for ended in (told for sample, told in rows if sample is None and may_end):
             connection.execute("UPDATE map SET ended = ? WHERE id = ? AND ended IS NULL", (ended, number))
         return number
 
@@ -212,13 +217,23 @@ class MapWriter:
         return list({**values, "utc": _stamp(sample.utc), "settings": self._settings[told]}.values())
 
 
-def heard_cells(path: Path, key: str) -> frozenset[int]:
-    """Return which cells of a map were heard. StoreError if the file can't be read."""
+def heard_so_far(path: Path, key: str) -> tuple[frozenset[int], tuple[MapSample, ...]]:
+    """Return which cells of a map were heard, and the points of its reference crosses in the order of time.
+
+    Nothing where there is no file, or no such map. StoreError if it can't be read. The settings of the points are not
+    looked up.
+    """
     if not path.exists():
-        return frozenset()
-    query = "SELECT cell FROM map_sample JOIN map ON map.id = map WHERE key = ? AND cell IS NOT NULL"
+        return frozenset(), ()
+    of = "FROM map_sample JOIN map ON map.id = map WHERE key = ? AND cell"
+    names = COLUMNS.replace("settings", "0")
     with reading_from(path) as connection:
-        return frozenset(cell for (cell,) in connection.execute(query, (key,)).fetchall())
+        cells = connection.execute(f"SELECT cell {of} IS NOT NULL", (key,)).fetchall()
+        points = connection.execute(
+            f"SELECT {names} {of} IS NULL ORDER BY map_sample.rowid",
+            (key,),
+        ).fetchall()
+    return frozenset(cell for (cell,) in cells), tuple(_sample(row, {0: 0}) for row in points)
 
 
 def _stamp(utc: datetime | None) -> str:

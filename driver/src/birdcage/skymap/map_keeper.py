@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from pathlib import Path
+from statistics import fmean, stdev
 from typing import TYPE_CHECKING, Any
 
 from birdcage.rotator.feature import POSITION, RSSI, TRANSPONDER, speed_of
@@ -12,7 +14,8 @@ from birdcage.signal.beam_fit import ASSUMED_WIDTH_DEG
 from birdcage.signal.ear import TaskEar
 from birdcage.signal.source import Scale, SignalFacts, SignalSource
 from birdcage.skymap.battery import Battery, read_battery
-from birdcage.skymap.map_file import MapWriter, NewMap, heard_cells
+from birdcage.skymap.drift import crosses_in
+from birdcage.skymap.map_file import MapWriter, NewMap, heard_so_far
 from birdcage.skymap.map_request import KIND, MapRequest
 from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample
 from birdcage.station.requests import Unwatch, Watch
@@ -37,7 +40,12 @@ class KeptMap:
     ) -> None:  # fmt: skip
         self.ear, self.of_dish, self.decibels = ear, source.facts.of_dish, new.decibels
         self._source, self._station, self._awake = source, station, False
-        self.heard = frozenset() if path is None else heard_cells(path, new.key)
+        self.heard, points = (frozenset[int](), ()) if path is None else heard_so_far(path, new.key)
+        """The cells that the file has."""
+        made = crosses_in(points, decibels=new.decibels)
+        self.crosses = max((each.number for each in made), default=-1) + 1
+        """The number of the next reference cross."""
+        self.first_cross = next((each.fit for each in made if each.fit is not None), None)
         self._new, self._path = new, path
         self._writer: MapWriter | None = None
 
@@ -56,16 +64,20 @@ class KeptMap:
         dish = self._station.state.dish
         return () if dish is None else tuple(each for each in ids if each in dish.features)
 
-    def sample(self, *, readings: int, **values: Any) -> MapSample:  # noqa: ANN401 - the fields of a sample
-        """Return what was heard in a direction, with what the station knows beside it."""
+    def sample(self, values: Sequence[float], **more: Any) -> MapSample:  # noqa: ANN401 - the fields of a sample
+        """Return what was heard in a direction, with what the station knows beside it.
+
+        Each of `values` may be the mean of several of the tuner's own: the scatter is that of one of those.
+        """
         state = self._station.state
         feature = None if state.dish is None else state.dish.features.get(RSSI)
         each = feature.samples or 1 if self.of_dish and feature is not None else 1
         polarisation = state.readings.get("polarisation")
         return MapSample(
-            n=readings * each, settings=0, target=state.signal_owners.get(self._source.facts.id, ""),
+            value=fmean(values), scatter=stdev(values) * math.sqrt(each) if len(values) > 1 else None,
+            n=len(values) * each, settings=0, target=state.signal_owners.get(self._source.facts.id, ""),
             polarisation=None if polarisation is None or not self.of_dish else str(polarisation.value),
-            state=state.activity.value, **values,
+            state=state.activity.value, **more,
         )  # fmt: skip
 
     def keep_awake(self, *, on: bool) -> None:
@@ -157,7 +169,7 @@ class MapKeeper:
         assert self._sources is not None, "a station that makes maps has sources"
         assert self._station is not None, "it was attached"
         if request.quiet and not self.speeds_deg_s(1.0):
-            raise TypeError("this dish can't be told to turn slower. Leave quiet out")
+            raise TypeError("this dish has no speed setting. Leave quiet out")
         ear = self._sources.ear(request.source)
         source = self._sources.get(request.source or self._sources.chosen)
         facts = source.facts

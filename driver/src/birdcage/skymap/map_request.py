@@ -26,6 +26,8 @@ KIND = "map"
 STEPS_A_BEAM = 3.0
 """The usual step is so small a part of the beam: a source between two directions still stands out of both."""
 HOURLY_S = 3600.0
+QUIET_PART = 0.3
+"""A quiet dish turns at so much of its speed."""
 CROSS_POINTS = 5
 """Directions along each axis of a reference cross."""
 LINES, LINE_S = 9, 0.06
@@ -164,6 +166,14 @@ def within_reach(plan: MapPlan, state: StationState) -> MapPlan:
     )  # fmt: skip
 
 
+def length_words(seconds: float) -> str:
+    """Say how long a map takes."""
+    minutes = round(seconds / 60.0)
+    if minutes < 1:
+        return "a minute"
+    return f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60:02} min"
+
+
 @dataclass(frozen=True, slots=True)
 class MapEstimate:
     """How much a map is, before it begins."""
@@ -174,9 +184,7 @@ class MapEstimate:
     @property
     def words(self) -> str:
         """Say it in a few words."""
-        minutes = round(self.seconds / 60.0)
-        time = f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60:02} min"
-        return f"{self.directions} directions, about {time if minutes else 'a minute'}"
+        return f"{self.directions} directions, about {length_words(self.seconds)}"
 
 
 def estimate(
@@ -197,7 +205,7 @@ def estimate(
             at = plan.at(cell)
             if before is not None:
                 ways = [
-                    _travel_s(axis, round(abs(to - one), 6))
+                    _travel_s(axis, round(abs(to - one), 6), QUIET_PART if request.quiet else 1.0)
                     for axis, one, to in zip((facts.azimuth, facts.elevation), before, at, strict=True)
                 ]
                 # The way to the tuner's menu is gone while a dish turns whose axes go together.
@@ -211,8 +219,8 @@ def estimate(
 
 
 @lru_cache(maxsize=512)
-def _travel_s(axis: Axis, way_deg: float) -> float:
-    """Return how long an axis turns, from rest to rest."""
+def _travel_s(axis: Axis, way_deg: float, part: float) -> float:
+    """Return how long an axis turns, from rest to rest, at a part of its speed where that can be set."""
     if axis.times is not None:
         return axis.times.seconds(way_deg)
-    return plan_slew(0.0, way_deg, axis.speed_deg_s, axis.acceleration_deg_s2).duration_s
+    return plan_slew(0.0, way_deg, axis.speed_deg_s * part, axis.acceleration_deg_s2).duration_s

@@ -8,24 +8,20 @@ from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from functools import partial
-from statistics import fmean, stdev
-from typing import TYPE_CHECKING
+from statistics import fmean
 
 from birdcage.base.errors import BirdcageError
-from birdcage.base.geometry import wrap_360
+from birdcage.base.geometry import beside
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import LOCK, RSSI, SNR, Reading
 from birdcage.signal.source_path import SourcePath
 from birdcage.skymap.drift import Drift, drift_between, fit_cross
 from birdcage.skymap.map_keeper import LOW_PERCENT, MapKeeper
-from birdcage.skymap.map_request import CROSS_POINTS, KIND, MapRequest
+from birdcage.skymap.map_request import CROSS_POINTS, KIND, QUIET_PART, MapRequest
 from birdcage.skymap.sky_map import MapSample
 from birdcage.station.task import Report, Task
 from birdcage.station.task_state import TaskPhase, TaskValue
 from birdcage.tracking.steps import HearAt, LimitSpeeds, PointAt, ReadFeatures, Step, StepResult, Steps, Wait
-
-if TYPE_CHECKING:
-    from birdcage.signal.beam_fit import BeamFit
 
 NEWEST = 24
 """So many of the last directions are told with each change: who has missed more reads the file."""
@@ -33,16 +29,12 @@ CROSS_STEP = 0.5
 """Between two directions of a reference cross, in widths of the beam: its ends are on the floor, its flanks steep."""
 COUNTDOWN_S = 5.0
 LOOK_S = 60.0
-"""How often a map that waits for its time, and one under way, looks at the battery."""
+"""How often a map under way looks at the battery."""
 PACE = 200
 """The time left goes by so many directions."""
-QUIET_PART = 0.3
-"""A quiet dish turns at so much of its speed."""
 MOST_EL_DEG = 85.0
 """Higher up a step across the line of sight is no step of the azimuth any more."""
 RESUME = "Resume it with u on F3 or `birdcage scan --resume`."
-
-Listening = Generator[Step, StepResult, MapSample | None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,23 +60,27 @@ class MapTask(Task):
     kind = KIND
     cut_words = f"What was heard of the map is kept. {RESUME}"
     resume_words = "Release it, and the map goes on."
-    homed_words = "Home it. The map then repeats its reference, and goes on."
 
     def __init__(self, holder: str, keeper: MapKeeper, **values: TaskValue) -> None:
         """`values` as `MapRequest.values` has them. TypeError, which refuses the task, for others."""
         self.holder, self._keeper = holder, keeper
         self._request = request = MapRequest.of(values)
+        self.homed_words = f"Home it. The map then {'repeats its reference, and ' if request.reference else ''}goes on."
         self._plan = request.plan
         self._path = SourcePath.of(request.path) if request.path else None
         self._map = keeper.open(request)
         self._heard = set(self._map.heard)
         self._beyond: set[int] = set()
-        """Directions that this dish can't go to."""
+        """Directions that this dish can't go to; around a target only for now."""
+        self._unread: set[int] = set()
+        """Directions in which nothing could be read."""
+        self._cell: int | None = None
+        """The one under way."""
         self._newest: deque[tuple[float, ...]] = deque(maxlen=NEWEST)
         self._at_s: deque[float] = deque(maxlen=PACE)
         """When the last directions were heard."""
-        self._crosses = 0
-        self._first_cross: BeamFit | None = None
+        self._crosses = self._map.crosses
+        self._first_cross = self._map.first_cross
         self._drift: Drift | None = None
         self._crossed_s = self._looked_s = -math.inf
         """When the reference was heard last, and when the battery was looked at; POSIX seconds."""
@@ -112,6 +108,10 @@ class MapTask(Task):
 
     def steps(self, now_s: float, *, asked: bool) -> Steps:
         """Wait for its time, hear the reference, and go through what is left."""
+        self._unread.clear()
+        self._at_s.clear()  # a pause is no pace
+        if self._path is not None:
+            self._beyond.clear()  # the target moves
         now_s = yield from self._wait_for_start(now_s, asked=asked)
         with self._map.ear.open():
             yield from self._set_up()
@@ -119,16 +119,33 @@ class MapTask(Task):
             for cell in self._plan.sequence:
                 if cell in self._heard or cell in self._beyond:
                     continue
-                if self._request.until_s and now_s >= self._request.until_s:
-                    self._why_over = f"It is {_clock(self._request.until_s)}."
+                self._why_over = self._why_over_at(now_s)
+                if self._why_over:
                     return
+                self._cell = cell
                 yield from self._look_around(now_s)
                 yield from self._hear(cell)
                 now_s = (yield Wait(0.0)).now_s
+            self._cell = None
             if self._request.reference is not None and self._crosses:
                 yield from self._cross(*self._request.reference)
-        self._map.end(_utc(now_s))
+        if self._is_whole:
+            self._map.end(_utc(now_s))
         self._check_disk()
+
+    @property
+    def _is_whole(self) -> bool:
+        """Whether nothing is left that a later try could hear."""
+        return not self._unread and (self._path is None or not self._beyond)
+
+    def _why_over_at(self, now_s: float) -> str:
+        """Return why it ends before all is heard, as a sentence; empty while it goes on."""
+        until_s, path = self._request.until_s, self._path
+        if until_s and now_s >= until_s:
+            return f"It is {_clock(until_s)}."
+        if path is not None and len(path.rows) > 1 and now_s >= path.end_s:
+            return "The way of the target was computed up to here."
+        return ""
 
     def _wait_for_start(self, now_s: float, *, asked: bool) -> Generator[Step, StepResult, float]:
         """Wait until it is time, with a countdown where the person who asked for it may have gone."""
@@ -142,8 +159,7 @@ class MapTask(Task):
                 KIND,
                 _utc(self._request.start_s),
             )
-        while now_s < self._request.start_s - COUNTDOWN_S:
-            now_s = (yield Wait(min(now_s + LOOK_S, self._request.start_s - COUNTDOWN_S))).now_s
+        now_s = (yield Wait(self._request.start_s - COUNTDOWN_S)).now_s
         if asked and self._report is not None:
             begins_s = max(now_s + COUNTDOWN_S, self._request.start_s)
             self._report(TaskPhase.COUNTDOWN, "The dish is about to move.", KIND, _utc(begins_s))
@@ -180,8 +196,9 @@ class MapTask(Task):
         """Park while there is power to do so, and end."""
         park, words = self._keeper.park, "the dish stays here"
         if park is not None:
-            yield PointAt(*park, optional=True)
-            words = "the dish is parked"
+            there = yield PointAt(*park, optional=True)
+            parked = there.true_az_deg is not None
+            words = "the dish is parked" if parked else "the park position is out of reach, so the dish stays here"
         raise BirdcageError(
             f"The battery of this computer is at {percent:.0f} %: {words}, and what was heard is kept. {RESUME}",
             reason=Reason.FAILED,
@@ -193,45 +210,46 @@ class MapTask(Task):
         begun = yield Wait(0.0)
         x_deg, y_deg = self._plan.at(cell)
         aim = None if self._path is None else self._path.at(begun.now_s + self._middle_s)
-        to = (x_deg, y_deg) if aim is None else _beside(aim, x_deg, y_deg)
-        sample = None if to is None else (yield from self._listen(*to, cell=cell))
-        if sample is None:
+        to = (x_deg, y_deg) if aim is None else beside(*aim, x_deg, y_deg)
+        heard = (yield from self._listen(*to)) if to[1] <= MOST_EL_DEG or aim is None else None
+        if heard is None:
             self._beyond.add(cell)
             return
+        if not heard.values:
+            self._unread.add(cell)
+            return
+        sample = self._sample(heard, cell=cell)
         self._map.add(sample)
         self._heard.add(cell)
-        middle_s = 0.0 if sample.utc is None else sample.utc.timestamp()
-        self._at_s.append(middle_s)
-        self._middle_s += 0.3 * (middle_s - begun.now_s - self._middle_s)
+        self._at_s.append(heard.middle_s)
+        self._middle_s += 0.3 * (heard.middle_s - begun.now_s - self._middle_s)
         self._newest.append((float(cell), sample.az_deg, sample.el_deg, sample.value))
 
-    def _listen(self, az_deg: float, el_deg: float, *, cell: int | None = None) -> Listening:
-        """Go there, and return what is heard at rest; None where the dish can't go, or nothing could be read."""
-        heard = yield from (self._by_tuner if self._map.of_dish else self._by_source)(az_deg, el_deg)
-        if heard is None:
-            return None
+    def _sample(self, heard: _Heard, *, cell: int | None = None, cross_number: int | None = None) -> MapSample:
         aim = (None, None) if self._path is None else self._path.at(heard.middle_s)
         snr, lock = heard.told.get(SNR), heard.told.get(LOCK)
         return self._map.sample(
-            cell=cell, cross_number=None if cell is not None else self._crosses, utc=_utc(heard.middle_s),
-            az_deg=heard.az_deg, el_deg=heard.el_deg, aim_az_deg=aim[0], aim_el_deg=aim[1],
-            value=fmean(heard.values), scatter=stdev(heard.values) if len(heard.values) > 1 else None,
-            readings=len(heard.values), integration_s=heard.integration_s,
+            heard.values, cell=cell, cross_number=cross_number, utc=_utc(heard.middle_s), az_deg=heard.az_deg,
+            el_deg=heard.el_deg, aim_az_deg=aim[0], aim_el_deg=aim[1], integration_s=heard.integration_s,
             snr_db=None if snr is None else float(snr.value), lock=None if lock is None else bool(lock.value),
         )  # fmt: skip
+
+    def _listen(self, az_deg: float, el_deg: float) -> Hearing:
+        """Go there, and hear at rest; None where the dish can't go, no values where nothing could be read."""
+        return (yield from (self._by_tuner if self._map.of_dish else self._by_source)(az_deg, el_deg))
 
     def _by_tuner(self, az_deg: float, el_deg: float) -> Hearing:
         """Hear by the dish's own tuner; SNR and lock, too, in the same visit to its menu."""
         ids = (RSSI, *self._map.told_of((SNR, LOCK) if self._request.details else ()))
         there = yield HearAt(az_deg, el_deg, optional=True, ids=ids)
+        if there.true_az_deg is None or there.true_el_deg is None:
+            return None
         levels = [there.readings.get(RSSI)]
         for _ in range(1, self._request.reads):
             again = yield ReadFeatures((RSSI,))
             levels.append(again.readings.get(RSSI))
         told = [level for level in levels if level is not None]
-        if there.true_az_deg is None or there.true_el_deg is None or not told:
-            return None
-        middle_s = fmean(each.utc.timestamp() for each in told)
+        middle_s = fmean(each.utc.timestamp() for each in told) if told else there.now_s
         values = [float(each.value) for each in told]
         return _Heard(there.true_az_deg, there.true_el_deg, values, middle_s, None, there.readings)
 
@@ -246,21 +264,24 @@ class MapTask(Task):
         return _Heard(there.true_az_deg, there.true_el_deg, values, (there.now_s + ended_s) / 2.0, integration_s, {})
 
     def _cross(self, az_deg: float, el_deg: float) -> Steps:
-        """Hear the reference: a line of directions through it along either axis."""
-        width_deg, half = self._keeper.beam_deg, CROSS_POINTS // 2
-        steps = [CROSS_STEP * width_deg * step for step in range(-half, half + 1)]
-        across = 1.0 / math.cos(math.radians(el_deg))
-        points = []
-        for to in (*((az_deg + step * across, el_deg) for step in steps), *((az_deg, el_deg + step) for step in steps)):
-            sample = yield from self._listen(*to)
-            if sample is not None:
-                self._map.add(sample)
-                points.append(sample)
-        fit = fit_cross(points, decibels=self._map.decibels)
+        """Hear the reference: a line of directions through it along either axis. One cut short keeps its number."""
+        number, width_deg, half = self._crosses, self._keeper.beam_deg, CROSS_POINTS // 2
         self._crosses += 1
+        steps = [CROSS_STEP * width_deg * step for step in range(-half, half + 1)]
+        points = []
+        for to in (
+            *(beside(az_deg, el_deg, step, 0.0) for step in steps),
+            *((az_deg, el_deg + step) for step in steps),
+        ):
+            heard = yield from self._listen(*to)
+            if heard is not None and heard.values:
+                points.append(self._sample(heard, cross_number=number))
+                self._map.add(points[-1])
+        fit = fit_cross(points, decibels=self._map.decibels)
         if fit is not None and points[-1].utc is not None:
+            if self._first_cross is not None:
+                self._drift = drift_between(self._first_cross, fit, points[-1].utc, decibels=self._map.decibels)
             self._first_cross = self._first_cross or fit
-            self._drift = drift_between(self._first_cross, fit, points[-1].utc, decibels=self._map.decibels)
 
     # What it tells
 
@@ -273,19 +294,21 @@ class MapTask(Task):
     def found(self) -> Mapping[str, TaskValue]:
         """`map`: its key; `newest`: cell, azimuth, elevation and value of the last directions; `left_s`, if known.
 
-        `beyond`: how many directions are out of reach. After the second reference cross `gain` (parts of the first,
-        or decibels), `right_deg`, `up_deg` and `lost_steps`.
+        `next`: the cell under way. `beyond`: how many directions are out of reach. Once two reference crosses have
+        found their source `gain` (parts of the first, or decibels), `right_deg`, `up_deg` and `lost_steps`.
         """
         told: dict[str, TaskValue] = {
             "map": self._request.key,
             "newest": tuple(self._newest),
             "beyond": len(self._beyond),
         }
+        if self._cell is not None:
+            told["next"] = float(self._cell)
         if len(self._at_s) > 1:
             pace_s = (self._at_s[-1] - self._at_s[0]) / (len(self._at_s) - 1)
             heard, of = self.progress
             told["left_s"] = pace_s * (of - heard)
-        if self._drift is not None and self._crosses > 1:
+        if self._drift is not None:
             drift = self._drift
             told |= {"gain": drift.gain, "right_deg": drift.right_deg, "up_deg": drift.up_deg,
                      "lost_steps": drift.lost_steps}  # fmt: skip
@@ -298,15 +321,10 @@ class MapTask(Task):
         if self._why_over:
             return f"{self._why_over} {heard} of {of} directions are heard. {RESUME}"
         beyond = f" {len(self._beyond)} more are out of reach." if self._beyond else ""
+        if not self._is_whole:
+            unread = f" {len(self._unread)} could not be read." if self._unread else ""
+            return f"{heard} of {self._plan.cells} directions are heard.{unread}{beyond} {RESUME}"
         return f"The map is complete: {heard} directions.{beyond}"
-
-
-def _beside(aim: tuple[float, float], right_deg: float, up_deg: float) -> tuple[float, float] | None:
-    """Return the direction so far right of a target, on the sky, and above it; None where it stands too high."""
-    el_deg = aim[1] + up_deg
-    if el_deg > MOST_EL_DEG:
-        return None
-    return wrap_360(aim[0] + right_deg / math.cos(math.radians(el_deg))), el_deg
 
 
 def _utc(at_s: float) -> datetime:

@@ -124,17 +124,15 @@ class MapPlan:
                     yield cell
 
     def _spiral(self) -> Iterator[int]:
-        """Walk a square spiral: legs of 1, 1, 2, 2, 3, 3 … steps, each to the left of the one before."""
-        row, column, down, right = (self.rows - 1) // 2, (self.columns - 1) // 2, 0, 1
-        left, length, legs = self.cells, 1, 0
-        while left:
-            for _ in range(length):
-                if 0 <= row < self.rows and 0 <= column < self.columns:
-                    yield row * self.columns + column
-                    left -= 1
-                row, column = row + down, column + right
-            down, right, legs = right, -down, legs + 1
-            length += legs % 2 == 0
+        """Go round square rings, the innermost first, each from its right side on and upward."""
+        middle = (self.rows - 1) // 2, (self.columns - 1) // 2
+
+        def place(cell: int) -> tuple[int, float]:
+            row, column = divmod(cell, self.columns)
+            up, right = row - middle[0], column - middle[1]
+            return max(abs(up), abs(right)), math.atan2(up, right) % math.tau
+
+        yield from sorted(range(self.cells), key=place)
 
     def values(self) -> dict[str, float | str]:
         """Return all by name, as a file keeps it."""

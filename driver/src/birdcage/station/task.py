@@ -38,7 +38,7 @@ class Task(ABC):
     """What STOP has cut short, in a sentence."""
     resume_words: ClassVar[str] = "Release it to resume."
     """What makes it go on, once it was interrupted."""
-    homed_words: ClassVar[str] = ""
+    homed_words: str = ""
     """The same where the dish no longer knows where it points; empty for the same words."""
     holder: str
     resumes: bool = False

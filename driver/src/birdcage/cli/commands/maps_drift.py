@@ -25,11 +25,12 @@ def drift(number: int) -> None:
     """
     from birdcage.cli.say import iso, say, tell_json
     from birdcage.cli.table import tell_table
-    from birdcage.skymap.drift import crosses_of, drift_of
+    from birdcage.skymap.drift import crosses_in, drift_of
     from birdcage.skymap.map_file import read_map
 
     sky_map = read_map(find_paths().signal_recordings, number)
-    made, changes = crosses_of(sky_map), drift_of(sky_map)
+    made = crosses_in(sky_map.crosses, decibels=sky_map.decibels)
+    changes = drift_of(made, decibels=sky_map.decibels)
     if flags().json:
         tell_json([
             {"utc": iso(each.utc), "gain": each.gain, "floor": each.floor, "right_deg": each.right_deg,

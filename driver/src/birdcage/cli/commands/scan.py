@@ -44,7 +44,7 @@ TAKES_S = 30.0 * 86400.0
     help="coarse: from coarse to fine, so that the whole region is seen early.",
 )
 @click.option("--start", metavar="TIME", default="", help="Begin at 23:00 UTC, or at a time in ISO 8601.")
-@click.option("--until", metavar="TIME", default="", help="End then at the latest, and keep what was heard.")
+@click.option("--until", metavar="TIME", default="", help="Stop by this time. What was heard is kept.")
 @click.option(
     "--reference",
     metavar="AZ:EL|SLOT",
@@ -97,16 +97,16 @@ def command(
 ) -> None:  # fmt: skip
     """Make a map of the sky: the signal in each direction of a region. Ctrl+C stops the dish.
 
-    In each direction the dish comes to rest, is looked at, and hears the signal. Every direction is on the disk at
-    once: whatever cuts the map short, `--resume` goes on with the next one. `birdcage maps` lists maps, `birdcage
-    export` writes them as files, and F3 shows them.
+    In each direction the dish stops, and its position and the signal are read. Every direction is on the disk at once:
+    whatever cuts the map short, `--resume` goes on with the next one, as the map was begun; --start and --until count
+    anew. `birdcage maps` lists maps, `birdcage export` writes them as files, and F3 shows them.
     """
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.say import say, tell_json
     from birdcage.cli.scan_files import ScanFiles
-    from birdcage.cli.scan_request import ScanOptions, fresh, request_of, resumed
+    from birdcage.cli.scan_request import ScanOptions, fresh, request_of, resumed, still_time
     from birdcage.cli.signal_task import follow_task, ready_dish
-    from birdcage.skymap.map_file import heard_cells
+    from birdcage.skymap.map_file import heard_so_far
     from birdcage.skymap.map_request import KIND, estimate
 
     wants = wanted()
@@ -114,19 +114,21 @@ def command(
     options = ScanOptions(
         az, el, step_deg, order, around, start, until, reference, reference_every_min, reads or 0, details, quiet, by
     )
-    going_on = None if resume is None else resumed(resume, wants)
+    going_on = None if resume is None else resumed(resume, options, wants)
     files = ScanFiles(wants.paths.signal_recordings, out, blur_place=blur_place)
     with files.written(), reach_dish(wants, HOLDER, moves=not only_estimate) as dish:
         ready_dish(dish, by if going_on is None else going_on[1].source, named=True)
         request = going_on[0] if going_on is not None else request_of(options, wants, dish.state)
         own = request.source == "tuner"
-        heard = heard_cells(wants.paths.signal_recordings, request.key) if request.key else ()
+        heard, _points = heard_so_far(wants.paths.signal_recordings, request.key)
         told = estimate(request, dish.state, dwell_s=None if own else 1.0, heard=heard)
         say(f"{told.words}{_begins(request.start_s)}.")
         if only_estimate:
             return
         for turn in range(repeat):
-            values = (request if not turn else fresh(request)).values()
+            if turn and not still_time(request):
+                break
+            values = (request if not turn else fresh(request, wants)).values()
             files.key = str(values["key"])
             ended = follow_task(dish, KIND, values, HOLDER, TAKES_S, _progress, _Pauses().show)
             say(ended.why)
@@ -154,15 +156,12 @@ class _Pauses:
 
 
 def _progress(task: TaskState) -> str:
+    from birdcage.skymap.map_request import length_words
+
     left_s = task.found.get("left_s")
-    left = f", {_time(left_s)} left" if isinstance(left_s, float) else ""
+    left = f", {length_words(left_s)} left" if isinstance(left_s, float) else ""
     drift = ", the dish has lost steps" if task.found.get("lost_steps") else ""
     return f"{task.done} of {task.of} directions{left}{drift}"
-
-
-def _time(seconds: float) -> str:
-    minutes = round(seconds / 60.0)
-    return f"{minutes} min" if minutes < 90 else f"{minutes // 60} h {minutes % 60:02} min"
 
 
 def _begins(start_s: float) -> str:
