@@ -97,9 +97,9 @@ def command(
 ) -> None:  # fmt: skip
     """Make a map of the sky: the signal in each direction of a region. Ctrl+C stops the dish.
 
-    In each direction the dish stops, and its position and the signal are read. Every direction is on the disk at once:
-    whatever cuts the map short, `--resume` goes on with the next one, as the map was begun; --start and --until count
-    anew. `birdcage maps` lists maps, `birdcage export` writes them as files, and F3 shows them.
+    In each direction the dish stops, and its position and the signal are read. Every direction is on the disk at once,
+    so --resume goes on with the next one, whatever cut the map short. Its region and settings stay; --start and --until
+    count anew. `birdcage maps` lists maps, `birdcage export` writes them as files, and F3 shows them.
     """
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.say import say, tell_json
