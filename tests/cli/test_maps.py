@@ -44,6 +44,30 @@ def test_the_list_has_number_begin_region_what_was_heard_and_demo(run, as_json, 
     assert (told[1]["ended"], told[2]["low"], told[2]["x_high_deg"]) == (None, 560.0, 164.0)
 
 
+def test_a_region_beside_its_target_is_told_as_it_is(run):
+    plan = MapPlan(-2.0, 4.0, -1.0, 3.0, 1.0, frame=MapFrame.TARGET)
+    keep("sun", 500.0, plan=plan, about={"target": "Sun"})
+    assert " around Sun x -2:4 y -1:3 " in run("maps").stdout
+
+
+def test_a_map_without_its_drift_is_written_beside_the_map_itself(run, maps, tmp_path):
+    assert run("export", 1, "--out", tmp_path).exit_code == 0
+    before = {each.name: each.read_bytes() for each in tmp_path.iterdir()}
+    said = run("export", 1, 2, "--mean", "--out", tmp_path)
+    assert said.exit_code == 0, said.stderr
+    assert "No raw text: its files are named by time alone" in said.stderr
+    assert {name: (tmp_path / name).read_bytes() for name in before} == before
+
+
+@pytest.mark.parametrize("typed", ["nan:220", "160:inf", "-inf:inf", "160"])
+def test_a_range_has_two_angles(typed):
+    import click
+    from birdcage.cli.range_type import RangeType
+
+    with pytest.raises(click.BadParameter, match="is no range of degrees"):
+        RangeType().convert(typed, None, None)
+
+
 def test_maps_are_written_where_and_as_what_is_asked_for(run, as_json, maps, tmp_path):
     said = run("export", 1, 2, "--out", tmp_path / "new", "--as", "CSV,text")
     assert said.exit_code == 1  # both maps began at the same time, so their raw text has the same name

@@ -78,7 +78,7 @@ def test_accepted_points_go_into_the_horizon_of_the_place(run, trees, as_json):
 
 
 def test_a_wrong_choice_is_refused_and_keeps_nothing(run, trees):
-    for typed in ("nothing", "12", "all,160"):
+    for typed in ("nothing", "12", "all,160", "nan", "inf"):
         said = run("maps", "horizon", trees, "--accept", typed)
         assert said.exit_code == 2, said.stdout
     assert mask() == []

@@ -67,6 +67,14 @@ def test_any_turn_of_the_base_is_found():
     assert stands_within(found.alignment, 170.0, 1.0, 1.0), found.alignment
 
 
+def test_turn_and_lean_are_as_sure_across_the_north_of_the_dish():
+    sky_map = OwnArc(EUROPE, 7.0, 1.2, -1.6, 2.5).decibels(SOUTH)
+    ahead = teach_north(sky_map, THERE, within_deg=12.0)
+    behind = teach_north(replace(sky_map, about={**sky_map.about, "az_offset_deg": 180.0}), THERE, within_deg=12.0)
+    assert shortest_turn(ahead.alignment.az_offset_deg, behind.alignment.az_offset_deg) == pytest.approx(-180.0)
+    assert behind.sigmas_deg == pytest.approx(ahead.sigmas_deg, rel=0.01)
+
+
 def test_an_alignment_in_use_is_taken_off_first():
     sky_map = simulated_arc(7.0, 1.2, -1.6)
     used = Alignment(5.0, 0.0, 0.0, 1.0, 0.0)
@@ -80,8 +88,12 @@ def test_an_alignment_in_use_is_taken_off_first():
     assert stands_within(found.alignment, 7.0, 1.2, -1.6), found.alignment
 
 
-def test_trees_below_the_arc_do_not_turn_it():
-    found = teach_north(simulated_arc(7.0, 1.2, -1.6, trees="100:20,150:30,180:28,260:25"), HERE, within_deg=NEAR_DEG)
+@pytest.mark.parametrize("beside_deg", [0.0, 0.04])
+def test_trees_below_the_arc_do_not_turn_it(beside_deg):
+    sky_map = simulated_arc(7.0, 1.2, -1.6, trees="100:20,150:30,180:28,260:25")
+    # A dish rests a little beside where it was sent.
+    samples = tuple(replace(each, az_deg=each.az_deg + beside_deg) for each in sky_map.samples)
+    found = teach_north(sky_map.with_samples(samples), HERE, within_deg=NEAR_DEG)
     assert stands_within(found.alignment, 7.0, 1.2, -1.6), found.alignment
 
 

@@ -65,6 +65,7 @@ def test_one_less_another_in_the_cells_that_both_have():
 
 
 TURNED = replace(PLAN, frame=MapFrame.TARGET)
+TURNED_SMALL = MapPlan(-1.0, 1.0, -1.0, 1.0, 1.0, frame=MapFrame.TARGET)
 UNLIKE = {
     "tuned": ({"settings": ({"transponder": "5"},)}, "The receiver's `transponder` differs: 1 on Map 1, 5 on Map 2."),
     "missing": ({"settings": ({},)}, "The receiver's `transponder` differs: 1 on Map 1, nothing on Map 2."),
@@ -119,4 +120,29 @@ def test_a_single_map_is_no_mean():
 
 def test_a_combined_map_is_written_like_any_other(tmp_path):
     for number, sky_map in enumerate((mean_of([one(1), one(2)]), minus(one(1, 500.0), one(2)))):
-        assert write_files(sky_map, tmp_path / str(number)).left_out == []
+        done = write_files(sky_map, tmp_path / str(number))
+        assert done.left_out == ["text"]
+        assert done.notes == ["No raw text: its files are named by time alone, and hold a map as it was heard."]
+        assert [each.suffix for each in done.paths] == [".csv", ".png", ".fits"]
+
+
+def test_directions_are_averaged_across_north():
+    def at(number, az_deg, n):
+        sky_map = one(number)
+        return sky_map.with_samples((replace(sky_map.samples[0], az_deg=az_deg, n=n),))
+
+    (sample,) = mean_of([at(1, 359.98, 1), at(2, 0.02, 3)]).samples
+    assert sample.az_deg == pytest.approx(0.01)
+    (sample,) = mean_of([at(1, 0.02, 3), at(2, 359.98, 1)]).samples
+    assert sample.az_deg == pytest.approx(0.01)
+    (sample,) = mean_of([at(1, 359.98, 3), at(2, 0.02, 1)]).samples
+    assert sample.az_deg == pytest.approx(359.99)
+
+
+@pytest.mark.parametrize("combined", [lambda a, b: mean_of([a, b]), minus])
+def test_a_combined_map_around_a_target_tells_no_direction(tmp_path, combined):
+    (path,) = write_files(combined(one(1, plan=TURNED_SMALL), one(2, plan=TURNED_SMALL)), tmp_path, ("csv",)).paths
+    (names,) = (line for line in path.read_text().splitlines() if line.startswith("cell,"))
+    assert "x_deg,y_deg,value" in names
+    (path,) = write_files(one(1, plan=TURNED_SMALL), tmp_path, ("csv",)).paths
+    assert "x_deg,y_deg,az_deg,el_deg" in path.read_text()

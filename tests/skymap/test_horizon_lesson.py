@@ -169,3 +169,62 @@ def test_the_simulator_refuses_what_is_no_line_of_trees(text):
 def test_a_line_of_trees_may_go_through_north():
     line = TreeLine("350:10,10:20")
     assert (line.at(0.0), line.at(355.0), line.at(20.0)) == (15.0, 12.5, -90.0)
+
+
+def clear(*points):
+    return tuple(HorizonEdge(az, el, 0.3, is_clear=True) for az, el in points)
+
+
+def test_a_clear_stretch_keeps_what_lies_below_its_line_and_lowers_what_lies_above():
+    ends = clear((100.0, 18.0), (110.0, 18.0))
+    dip = HorizonMask([(90.0, 10.0), (100.0, 10.0), (105.0, 0.0), (110.0, 10.0), (120.0, 10.0)])
+    assert [with_accepted(dip, ends, [0, 1]).at(az) for az in (100.0, 102.5, 105.0, 110.0)] == [10.0, 5.0, 0.0, 10.0]
+    roof = HorizonMask([(90.0, 0.0), (100.0, 0.0), (105.0, 40.0), (110.0, 0.0), (120.0, 0.0)])
+    after = with_accepted(roof, ends, [0, 1])
+    assert [after.at(az) for az in (100.0, 101.0, 103.0, 105.0, 107.0, 109.0)] == pytest.approx([0, 8, 18, 18, 18, 8])
+    one = HorizonMask([(105.0, 12.0)])
+    assert with_accepted(one, ends, [0, 1]).at(105.0) == 0.0, "one point alone says nothing of the sky"
+
+
+@pytest.mark.parametrize("last_deg", [359.0, 359.8, 357.5])
+def test_a_map_all_round_replaces_the_whole_mask(last_deg):
+    old = HorizonMask([(0.5, 70.0), (90.0, 70.0), (180.0, 70.0), (359.0, 70.0), (359.9, 70.0)])
+    azimuths = (0.0, 120.0, 240.0, last_deg)
+    edges = tuple(HorizonEdge(az, 20.0, 0.3, is_clear=False) for az in azimuths)
+    after = with_accepted(old, edges, range(4))
+    assert after.points == tuple((az, 20.0) for az in azimuths)
+    # Without the point at 120 the mask between its neighbours stays, and beside them.
+    part = with_accepted(old, edges, [0, 2, 3])
+    assert [part.at(az) for az in (0.0, 1.0, 120.0, 239.0, 240.0, 300.0, last_deg)] == pytest.approx(
+        [20.0, 70.0, 70.0, 70.0, 20.0, 20.0, 20.0]
+    )
+    assert part.at((last_deg + 360.0) / 2.0) == 20.0
+
+
+def test_both_ends_of_a_whole_turn_are_one_azimuth():
+    plan = MapPlan(0.0, 360.0, 10.0, 60.0, 3.0)
+    found = teach_horizon(counts("340:20,20:20", plan), ARC)
+    azimuths = [edge.az_deg for edge in found.edges]
+    assert len(set(azimuths)) == len(azimuths) <= 120
+    assert min(azimuths) == 0.0
+    assert found.unknown == 120 - len(azimuths)
+
+
+def test_an_azimuth_just_below_north_is_0_and_not_360():
+    found = teach_horizon(counts("340:20,20:20", MapPlan(-30.0 - 1e-10, 30.0, 10.0, 60.0, 1.0)), ARC)
+    assert 0.0 in {edge.az_deg for edge in found.edges}
+    assert max(edge.az_deg for edge in found.edges) < 360.0
+
+
+def test_rows_that_are_closer_than_columns_tell_the_same_line():
+    line = TreeLine(TREES)
+    found = teach_horizon(counts(TREES, replace(PLAN, step_deg=2.0, y_step_deg=1.0)), ARC)
+    inside = [edge for edge in found.edges if 153.0 <= edge.az_deg <= 202.0]
+    assert len(inside) > 20
+    assert [edge.az_deg for edge in inside if abs(edge.el_deg - line.at(edge.az_deg)) > 1.5] == []
+
+
+@pytest.mark.parametrize("typed", [math.nan, math.inf, -math.inf])
+def test_what_is_no_angle_chooses_no_point(typed):
+    with pytest.raises(LookupError, match="is no azimuth"):
+        chosen_by(LINE, [150.0, typed])

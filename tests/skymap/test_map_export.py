@@ -158,7 +158,8 @@ def test_with_the_place_blurred_no_file_tells_it(tmp_path, frame):
     plan = MapPlan(10.0, 12.0, 5.0, 6.0, 1.0, frame=frame)
     around = {"aim_az_deg": 171.31313, "aim_el_deg": 33.31313}
     sky_map = made_map(plan, counts, number=12, begun=BEGUN, about={
-        **PLACE, "reference_az_deg": 171.31313, "file": "garden in Delft.txt", "mean_of": [12, "garden.txt"],
+        **PLACE, "reference_az_deg": 171.31313, "file": "garden in Delft.txt",
+        **({"mean_of": [12, "garden.txt"]} if frame is MapFrame.AZEL else {}),
     }, settings=({"gain_db": "20", "url": "http://garden.example"},))  # fmt: skip
     sky_map = sky_map.with_samples(
         tuple(
@@ -207,3 +208,23 @@ def test_all_kinds_are_written_with_the_extra(tmp_path):
     assert [each.suffix for each in done.paths] == [".csv", ".png", ".fits", ".txt", ".txt", ".txt"]
     assert (done.notes, done.left_out) == ([], [])
     assert write_files(a_map(), tmp_path).kept == [], "the same map makes the same files"
+
+
+def test_files_of_two_raw_files_of_one_name_do_not_replace_each_other(tmp_path):
+    kinds = ("png", "fits")
+    one = a_map(number=None, begun=None, about={"file": "garden.txt"})
+    other = made_map(PLAN, lambda az, el: az - el, number=None, begun=None, about={"file": "garden.txt"})
+    first = write_files(one, tmp_path, kinds)
+    before = [each.read_bytes() for each in first.paths]
+    done = write_files(other, tmp_path, kinds)
+    assert (done.kept, done.left_out) == (first.paths, ["png", "fits"])
+    assert [each.read_bytes() for each in first.paths] == before
+    assert write_files(one, tmp_path, kinds).kept == []
+    assert write_files(other, tmp_path, kinds, replace=True).paths == first.paths
+
+
+def test_a_map_without_its_drift_has_no_raw_text_to_collide(tmp_path):
+    assert write_files(a_map(), tmp_path).kept == []
+    done = write_files(a_map(about={**PLACE, "drift_removed": True}), tmp_path)
+    assert (done.kept, done.left_out) == ([], ["text"])
+    assert "named by time alone" in done.notes[0]

@@ -7,9 +7,12 @@ from dataclasses import replace
 from datetime import UTC, datetime
 
 import pytest
+from birdcage.base.beam import Beam, BeamOrigin
+from birdcage.base.config import Settings
 from birdcage.signal.level_scale import KnownLevel, checked_scale
 from birdcage.sim.settings import SimSettings
 from birdcage.sky.rise import quiet_sun_k
+from birdcage.skymap.lesson_inputs import inputs_for
 from birdcage.skymap.map_levels import LessonRefused
 from birdcage.skymap.plan import MapFrame, MapPlan
 from birdcage.skymap.sun_lesson import teach_sun
@@ -89,6 +92,20 @@ def simulated_power():
         return 1.0 + 0.7 * math.exp(-4.0 * math.log(2.0) * ((x / 5.7) ** 2 + (y / 5.6) ** 2))
 
     return power
+
+
+def test_a_beam_that_is_given_leaves_out_satellites_on_a_map_without_its_own():
+    plan = MapPlan(90.0, 140.0, 30.0, 66.0, 2.0)
+    own = simulated(SimSettings, plan)
+    about = {name: value for name, value in own.about.items() if not name.startswith("beam_")}
+    width = Beam(own.about["beam_az_deg"], own.about["beam_el_deg"], 12.45e9, BeamOrigin.SCAN)
+    bare = replace(own, about=about)
+    assert teach_sun(bare).points == plan.cells
+    given = teach_sun(bare, beam=width)
+    assert given == teach_sun(own)
+    assert given.points < plan.cells
+    inputs = inputs_for(bare, Settings(), (), width)
+    assert inputs.sun().points == given.points
 
 
 def test_without_a_frequency_the_beam_alone_is_told(heard):

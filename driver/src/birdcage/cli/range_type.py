@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import click
 
 Range = tuple[float, float]
@@ -18,6 +20,9 @@ class RangeType(click.ParamType["tuple[float, float]"]):
             return value
         low, _colon, high = value.partition(":")
         try:
-            return float(low), float(high)
+            both = float(low), float(high)
         except ValueError:
+            both = math.nan, math.nan
+        if not all(map(math.isfinite, both)):
             self.fail(f"{value!r} is no range of degrees. Type 160:220.", param, ctx)
+        return both

@@ -1,8 +1,10 @@
 """North and tilt of a base by the arc of satellites in a map, none of which is known by name beforehand.
 
-Every turn of the base is begun with, beams widened so that a bump finds its slot from far; the best of them are then
-led to the least with the beam as it is (`arc_model`). What is told must be the only way in which the base can stand.
-`docs/decisions` has a page on it. Imports numpy; faces import it inside functions.
+The search starts from every turn of the base, with beams widened so that a peak reaches its slot from far away. The
+best starts are refined by least squares with the true beam (`arc_model`). A map that two ways of standing fit about
+equally well is refused. See `docs/decisions/0075-what-a-map-teaches.md`.
+
+Imports numpy; faces import it inside functions.
 """
 
 from __future__ import annotations
@@ -147,15 +149,20 @@ def _above_trees(
         edges = teach_horizon(sky_map, (), beam, scale).edges
     except LessonRefused:
         return sky_map.samples
-    trees = {round(edge.az_deg, 3): edge.el_deg for edge in edges if not edge.is_clear}
+    trees = {_column(edge.az_deg): edge.el_deg for edge in edges if not edge.is_clear}
     wide = TREES_BEAMS * widths[0]
     if len(trees) * sky_map.plan.step_deg * math.cos(math.radians(float(np.median(list(trees.values()))))) < wide:
         return sky_map.samples
     return tuple(
         sample
         for sample in sky_map.samples
-        if sample.el_deg > trees.get(round(wrap_360(sample.az_deg), 3), -90.0) + widths[1]
+        if sample.cell is None or sample.el_deg > trees.get(_column(sky_map.plan.at(sample.cell)[0]), -90.0) + widths[1]
     )
+
+
+def _column(az_deg: float) -> float:
+    """Return what names a column of a map: its azimuth by the plan, as the dish may rest a little beside it."""
+    return wrap_360(round(az_deg % 360.0, 3))
 
 
 def _ways(
@@ -227,7 +234,10 @@ def _sigmas(model: ArcModel, seen: ArcSeen) -> tuple[float, float, float]:
     """Return how sure turn and lean are: what is left over is alike within a beam, and counts once there."""
     rows = model.slopes(seen)
     wide, tall = model.size(seen.stands)
-    area = float(np.ptp(model.el)) * float(np.ptp(model.az * np.cos(np.radians(model.el)))) / len(model.levels)
+    azs = np.sort(model.az % 360.0)
+    across = 360.0 - float(np.diff(azs, append=azs[0] + 360.0).max())  # all round, without the widest gap
+    level = math.cos(math.radians(float(np.mean(model.el))))
+    area = float(np.ptp(model.el)) * across * level / len(model.levels)
     within = max(1.0, wide * tall / max(area, 1e-9))
     covariance = np.linalg.pinv(rows.T @ rows) * _rms(seen) ** 2 * within
     turn, north, west = (math.sqrt(float(covariance[index, index])) for index in (TURN, NORTH, WEST))

@@ -11,7 +11,7 @@ class Battery:
 
     percent: float
     on_mains: bool | None
-    """Whether it is being charged or not used; None if the system does not say."""
+    """Whether the computer runs on mains power; None if the system does not say."""
 
     def is_low(self, percent: float) -> bool:
         """Return whether it is used, and has no more than this left."""

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
 from birdcage.base.errors import BirdcageError
+from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.skymap.place_blur import made_from
 from birdcage.skymap.sky_map import MEASURED_SETTINGS, MapSample, SkyMap
 
@@ -25,7 +26,8 @@ def mean_of(maps: Sequence[SkyMap]) -> SkyMap:
 
     Mean and scatter are those of all readings together: N = sum n, m = sum n x / N and
     (N - 1) s^2 = sum (n - 1) s^2 + n (x - m)^2. Values are averaged in their unit, decibels too. A cell that only some
-    maps have is of those. It has no time: RA and declination differ from map to map.
+    maps have is of those. It has no time: RA and declination differ from map to map. Around a moving target it has no
+    azimuth and elevation for files either (`place_blur.tells_directions`).
     """
     first, *others = maps
     if not others:
@@ -142,7 +144,7 @@ def _pooled(samples: Sequence[MapSample]) -> MapSample:
     def mean(values: Iterable[float]) -> float:
         return sum(each.n * value for each, value in zip(samples, values, strict=True)) / n
 
-    value = mean(each.value for each in samples)
+    value, first_az = mean(each.value for each in samples), samples[0].az_deg
     spread = [each.n * (each.value - value) ** 2 for each in samples]
     within = [0.0 if each.n == 1 else each.scatter and (each.n - 1) * each.scatter**2 for each in samples]
     known = [each for each in within if each is not None]
@@ -150,7 +152,8 @@ def _pooled(samples: Sequence[MapSample]) -> MapSample:
     times = [each.integration_s for each in samples if each.integration_s is not None]
     return _timeless(
         samples, value=value, scatter=scatter, n=n,
-        az_deg=mean(each.az_deg for each in samples), el_deg=mean(each.el_deg for each in samples),
+        az_deg=wrap_360(first_az + mean(shortest_turn(first_az, each.az_deg) for each in samples)),
+        el_deg=mean(each.el_deg for each in samples),
         integration_s=sum(times) if len(times) == len(samples) else None,
     )  # fmt: skip
 

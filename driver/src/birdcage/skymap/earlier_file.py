@@ -14,16 +14,17 @@ HEAD = 10_000
 UNREAD = b" -1"
 
 
-def is_earlier(old: bytes, new: bytes, name: str) -> bool:
+def is_earlier(old: bytes, new: bytes, name: str, *, one_map: bool = True) -> bool:
     """Whether a file of this name is of the same map, as it was before.
 
-    Pictures and FITS have number and begin of the map in their names: there it is enough that birdcage wrote them. In
-    tables and raw text everything that the old one tells must be in the new one: somebody may have written into them.
+    `one_map`: its name has number and begin of the map, so no other map has it. Then it is enough for a picture or FITS
+    that birdcage wrote it; otherwise it may be of another map. In tables and raw text everything that the old one tells
+    must be in the new one: somebody may have written into them.
     """
     if name.endswith(".png"):
-        return OWN_PNG in old[:HEAD]
+        return one_map and OWN_PNG in old[:HEAD]
     if name.endswith(".fits"):
-        return OWN_FITS in old[:HEAD]
+        return one_map and OWN_FITS in old[:HEAD]
     if name.startswith("raw-data-"):
         return _fills_up(old, new)
     told = {line for line in _lines(old) if not line.endswith(UNREAD)}

@@ -3,7 +3,8 @@
 A clear direction has the level C + G (1 - exp(-t X)): C the cold of the receiver and the sky, G how much warmer the
 ground is, X = 1 / sin(el) the thickness of the air, t its opacity (Recommendation ITU-R P.372, equation for a medium of
 one temperature). A beam with the share F of its power on trees has C + G (F + (1 - F) (1 - exp(-t X))). The line is
-where F passes one half, on the way up from the lowest direction of a column. `docs/decisions` has a page on it.
+where F passes one half, on the way up from the lowest direction of a column. See
+`docs/decisions/0075-what-a-map-teaches.md`.
 
 A level that is high near a satellite, or far above G, says nothing of trees; nor does what was not heard.
 """
@@ -16,6 +17,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from birdcage.base.geometry import wrap_360
 from birdcage.skymap.map_levels import LessonRefused, azel_only, beam_of_map, noise_of_map, values_of
 
 if TYPE_CHECKING:
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
 
     from birdcage.base.beam import Beam
     from birdcage.signal.level_scale import LevelScale
+    from birdcage.skymap.plan import MapPlan
     from birdcage.skymap.sky_map import SkyMap
 
     Floats = NDArray[np.float64]
@@ -100,25 +103,25 @@ def teach_horizon(
     grid = flat.reshape(plan.rows, plan.columns)
     in_powers = sky_map.decibels or scale is not None
     noise = noise_of_map(sky_map, grid)
-    els = plan.y_low_deg + plan.step_deg * np.arange(plan.rows, dtype=np.float64)
+    els = plan.y_low_deg + plan.row_step_deg * np.arange(plan.rows, dtype=np.float64)
     azs = plan.x_low_deg + plan.step_deg * np.arange(plan.columns, dtype=np.float64)
     near = _near(azs, els, sources, widths)
     cold, rises = _levels(grid, near, noise, in_powers)
     grain = widths[1] * COUNTS_BEAMS * (not in_powers)
     # Where few columns have trees, what is a little warm at the lower edge is air: then the warmer ones are tried.
     for rise in rises:
-        edges, airy = _edges((azs, els), (grid - cold) / rise, near, widths, noise / rise, grain)
+        edges, airy = _edges((azs, els), (grid - cold) / rise, near, widths, noise / rise, grain, plan)
         if sum(not edge.is_clear for edge in edges) > airy:
             break
     else:
         raise LessonRefused("No trees stand out: thick air explains what is warm at the lower edge of the map.")
     ratio = rise / cold if in_powers else rise
-    return HorizonProposal(_thinned(edges), edges, float(ratio), in_powers, plan.columns - len(edges))
+    return HorizonProposal(_thinned(edges), edges, float(ratio), in_powers, plan.columns - _meets(azs) - len(edges))
 
 
 def _edges(
     axes: tuple[Floats, Floats], part: Floats, near: NDArray[np.bool_], widths: tuple[float, float], noise: float,
-    grain_deg: float,
+    grain_deg: float, plan: MapPlan,
 ) -> tuple[tuple[HorizonEdge, ...], int]:  # fmt: skip
     """Return what each azimuth tells, and at how many of them it is air that is warm.
 
@@ -130,7 +133,7 @@ def _edges(
     air = 1.0 / np.sin(np.radians(np.maximum(els, 3.0)))
     clear = 1.0 - np.exp(-_opacity(part, near, air) * air)
     warm = (part - clear[:, None]) / (1.0 - clear[:, None])
-    hidden = near | _beside_sources(warm, widths, float(els[1] - els[0]) if len(els) > 1 else 1.0, els)
+    hidden = near | _beside_sources(warm, widths, (plan.step_deg, plan.row_step_deg), els)
     edges, airy = [], 0
     for column, az_deg in enumerate(azs):
         edge = _edge(float(az_deg), els, warm[:, column], hidden[:, column], noise, grain_deg)
@@ -140,7 +143,16 @@ def _edges(
             airy += 1
         else:
             edges.append(edge)
+    if _meets(azs) and len(edges) > 1 and edges[0].az_deg == edges[-1].az_deg:
+        # Heard twice, at both ends: trees count before a clear direction, then the surer one.
+        surer = max(edges[0], edges[-1], key=lambda edge: (not edge.is_clear, -edge.sigma_deg))
+        edges = [surer, *edges[1:-1]]
     return tuple(edges), airy
+
+
+def _meets(azs: Floats) -> bool:
+    """Return whether the last column has the azimuth of the first one, a whole turn on."""
+    return abs(float(azs[-1] - azs[0]) - 360.0) < 1e-6
 
 
 def _levels(grid: Floats, near: NDArray[np.bool_], noise: float, in_powers: bool) -> tuple[float, list[float]]:
@@ -202,14 +214,16 @@ def _near(
     return near
 
 
-def _beside_sources(warm: Floats, widths: tuple[float, float], step_deg: float, els: Floats) -> NDArray[np.bool_]:
+def _beside_sources(
+    warm: Floats, widths: tuple[float, float], steps_deg: tuple[float, float], els: Floats
+) -> NDArray[np.bool_]:
     """Return what lies beside a direction that is too warm for trees."""
     import numpy as np
 
     beside = np.zeros(warm.shape, dtype=bool)
-    up = math.ceil(BESIDE_BEAMS * widths[1] / step_deg)
+    up = math.ceil(BESIDE_BEAMS * widths[1] / steps_deg[1])
     for row, column in np.argwhere(np.nan_to_num(warm) > SOURCE):
-        along = BESIDE_BEAMS * widths[0] / step_deg / max(0.1, math.cos(math.radians(float(els[row]))))
+        along = BESIDE_BEAMS * widths[0] / steps_deg[0] / max(0.1, math.cos(math.radians(float(els[row]))))
         right = math.ceil(along)
         beside[max(0, row - up) : row + up + 1, max(0, column - right) : column + right + 1] = True
     return beside
@@ -231,7 +245,7 @@ def _edge(
     if warm[low] < BARE:
         if low != np.flatnonzero(np.isfinite(warm))[0]:
             return None  # what lies below it may be a tree, or a satellite
-        return HorizonEdge(round(az_deg % 360.0, 6), float(els[low]), step / math.sqrt(12.0), is_clear=True)
+        return HorizonEdge(wrap_360(round(az_deg % 360.0, 6)), float(els[low]), step / math.sqrt(12.0), is_clear=True)
     for below, above in pairwise(rows):
         if warm[above] >= BARE:
             continue
@@ -242,7 +256,7 @@ def _edge(
         at = float(els[below]) + gap * float(warm[below] - BARE) / fall
         known = above - below == 1
         sigma = math.hypot(noise * gap / fall, (0.1 if known else 0.3) * gap, grain_deg)
-        return HorizonEdge(round(az_deg % 360.0, 6), at, sigma, is_clear=False)
+        return HorizonEdge(wrap_360(round(az_deg % 360.0, 6)), at, sigma, is_clear=False)
     return None
 
 

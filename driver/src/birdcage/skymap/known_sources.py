@@ -33,7 +33,7 @@ def observer_of(sky_map: SkyMap, otherwise: Observer | None = None) -> Observer:
 
 
 def arc_over(observer: Observer, refraction: Refraction) -> tuple[SlotSeen, ...]:
-    """Return the slots above the horizon that may be heard in Ku band, empty or not: satellites move house."""
+    """Return the slots above the horizon that may be heard in Ku band, occupied or not: operators move satellites."""
     seen = (seen_at(slot, observer, refraction) for slot in slots() if slot.band not in DEAF_BANDS)
     return tuple(each for each in seen if each is not None)
 

@@ -69,7 +69,7 @@ class LessonInputs:
         feed = self.feed
         return teach_sun(
             self.sky_map, self.scale, None if feed is None else feed.middle_hz, self.observer,
-            self.settings.tracking.refraction,
+            self.settings.tracking.refraction, self.beam,
         )  # fmt: skip
 
 

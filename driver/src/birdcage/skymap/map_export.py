@@ -51,6 +51,7 @@ def write_files(
     """
     told = blurred(sky_map) if blur_place else sky_map
     done, name, stamp = FilesWritten(), base_name(told), _stamp(sky_map)
+    one_map = _is_one_map(sky_map)
     missing = [kind for kind in KINDS if kind in kinds and kind in NEEDS and find_spec(NEEDS[kind][0]) is None]
     if missing:
         lacks = " and ".join(NEEDS[kind][1] for kind in missing)
@@ -58,7 +59,7 @@ def write_files(
         done.left_out.extend(missing)
     for kind in (each for each in KINDS if each in kinds and each not in missing):
         files = _text_files(told, stamp, done) if kind == "text" else {f"{name}.{kind}": _MADE[kind](told)}
-        written = [_write(folder / each, data, done, replace=replace) for each, data in files.items()]
+        written = [_write(folder / each, data, done, replace=replace, one_map=one_map) for each, data in files.items()]
         if not written or not all(written):
             done.left_out.append(kind)
     return done
@@ -83,6 +84,13 @@ def base_name(sky_map: SkyMap) -> str:
     return f"{plain}{begun}{'-blurred' if is_blurred(sky_map) else ''}"
 
 
+def _is_one_map(sky_map: SkyMap) -> bool:
+    """Return whether no other map has its `base_name`: it is made of numbers alone, and of a begin."""
+    from_maps = [*made_from(sky_map, "mean_of"), *made_from(sky_map, "minus")] or [sky_map.number]
+    short = len("-".join(map(str, from_maps))) < _LONGEST // 2
+    return short and sky_map.begun is not None and all(isinstance(each, int) for each in from_maps)
+
+
 def _stamp(sky_map: SkyMap) -> tuple[str, ...] | None:
     """Return year to second for the names of raw text: of its beginning, else out of the name of its file."""
     if sky_map.begun is not None:
@@ -94,6 +102,9 @@ def _stamp(sky_map: SkyMap) -> tuple[str, ...] | None:
 def _text_files(sky_map: SkyMap, stamp: tuple[str, ...] | None, done: FilesWritten) -> dict[str, bytes]:
     if stamp is None:
         done.notes.append("No raw text: its files are named by the time of the beginning, which is not known here.")
+        return {}
+    if any(sky_map.about.get(name) for name in ("mean_of", "minus", "drift_removed")):
+        done.notes.append("No raw text: its files are named by time alone, and hold a map as it was heard.")
         return {}
     files: dict[str, bytes] = {}
     try:
@@ -128,9 +139,9 @@ def _png(sky_map: SkyMap) -> bytes:
 _MADE: Mapping[str, Callable[[SkyMap], bytes]] = {"csv": _csv, "png": _png, "fits": _fits}
 
 
-def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool) -> bool:
+def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool, one_map: bool) -> bool:
     try:
-        if not replace and path.exists() and _is_other(read_user_file(path, MOST_BYTES), data, path.name):
+        if not replace and path.exists() and _is_other(read_user_file(path, MOST_BYTES), data, path.name, one_map):
             done.notes.append(f"{clean(str(path))} exists and holds something else. --replace writes over it.")
             done.kept.append(path)
             return False
@@ -141,5 +152,5 @@ def _write(path: Path, data: bytes, done: FilesWritten, *, replace: bool) -> boo
     return True
 
 
-def _is_other(old: bytes, new: bytes, name: str) -> bool:
-    return old != new and not is_earlier(old, new, name)
+def _is_other(old: bytes, new: bytes, name: str, one_map: bool) -> bool:
+    return old != new and not is_earlier(old, new, name, one_map=one_map)

@@ -30,7 +30,7 @@ class LessonRefused(BirdcageError):
 def azel_only(sky_map: SkyMap) -> None:
     """Raise LessonRefused for a map around a moving target."""
     if sky_map.plan.frame is not MapFrame.AZEL:
-        raise LessonRefused(f"This map lies {sky_map.title}. It takes a map in azimuth and elevation.")
+        raise LessonRefused(f"This map is {sky_map.title}. This needs a map in azimuth and elevation.")
 
 
 def values_of(samples: tuple[MapSample, ...], decibels: bool, scale: LevelScale | None) -> NDArray[np.float64]:

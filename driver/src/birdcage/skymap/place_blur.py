@@ -24,15 +24,20 @@ def is_blurred(sky_map: SkyMap) -> bool:
 
 
 def tells_directions(sky_map: SkyMap) -> bool:
-    """Whether a file may say azimuth and elevation: those of a moving target tell the place to some kilometres."""
-    return not (is_blurred(sky_map) and sky_map.plan.frame is MapFrame.TARGET)
+    """Whether a file may say azimuth and elevation.
+
+    Those of a moving target tell the place to some kilometres. A map around one that was made from several maps has
+    none: each of them was heard in another direction.
+    """
+    combined = made_from(sky_map, "mean_of") or made_from(sky_map, "minus")
+    return sky_map.plan.frame is not MapFrame.TARGET or not (is_blurred(sky_map) or combined)
 
 
 def blurred(sky_map: SkyMap) -> SkyMap:
     """Return it with latitude and longitude in whole degrees, for files that others will see.
 
     Without height, predicted directions, reference crosses, addresses in settings, and the name of a file that it was
-    read from. What was heard remains: a map of the geostationary arc shows by itself from where it was seen.
+    read from. What was heard stays: the satellites of the arc, or the Sun at a known time, can still reveal the place.
     """
     about = {name: sky_map.about[name] for name in TOLD if name in sky_map.about and name not in ("height_m", "file")}
     place = sky_map.place()

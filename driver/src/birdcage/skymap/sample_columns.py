@@ -22,7 +22,7 @@ class SampleColumn:
 
 
 def columns_of(sky_map: SkyMap) -> tuple[SampleColumn, ...]:
-    """Return the columns of a map, in order. A blurred one around a target has no azimuth and elevation."""
+    """Return the columns of a map, in order. Around a target a blurred or combined one has no azimuth and elevation."""
 
     def told(name: str, unit: str = "", meaning: str = "") -> SampleColumn:
         return SampleColumn(name, unit, lambda sample: getattr(sample, name), meaning)

@@ -18,6 +18,23 @@ MEASURED_SETTINGS = ("rf_agc", "if_agc")
 """What a receiver is not set to, but finds by itself: maps of one receiver may differ there."""
 
 
+def title_words(plan: MapPlan, about: Mapping[str, object]) -> str:
+    """Say in a few words what a map is of: its target, or its region."""
+    if plan.frame is MapFrame.TARGET:
+        return f"around {about.get('target') or 'a moving target'}"
+    return f"az {plan.x_low_deg:g}:{plan.x_high_deg:g} el {plan.y_low_deg:g}:{plan.y_high_deg:g}"
+
+
+def region_words(plan: MapPlan, about: Mapping[str, object]) -> str:
+    """Say it with how far the map reaches around its target: ±2°, or right of it (x) and above it (y)."""
+    title = title_words(plan, about)
+    if plan.frame is not MapFrame.TARGET:
+        return title
+    if -plan.x_low_deg == plan.x_high_deg == -plan.y_low_deg == plan.y_high_deg:
+        return f"{title} ±{plan.x_high_deg:g}°"
+    return f"{title} x {plan.x_low_deg:g}:{plan.x_high_deg:g} y {plan.y_low_deg:g}:{plan.y_high_deg:g}"
+
+
 @dataclass(frozen=True, slots=True)
 class MapSample:
     """What was heard in one direction. What is not known is None."""
@@ -110,10 +127,7 @@ class SkyMap:
     @property
     def title(self) -> str:
         """What it is a map of, in a few words."""
-        plan = self.plan
-        if plan.frame is MapFrame.TARGET:
-            return f"around {self.about.get('target') or 'a moving target'}"
-        return f"az {plan.x_low_deg:g}:{plan.x_high_deg:g} el {plan.y_low_deg:g}:{plan.y_high_deg:g}"
+        return title_words(self.plan, self.about)
 
     def with_samples(self, samples: tuple[MapSample, ...]) -> SkyMap:
         """Return it with other cells."""

@@ -13,7 +13,7 @@ add, so that w^2 = w_seen^2 - ln 2 / 2 D^2 for a Gaussian beam and an even disc 
     G/T = 4 pi (Y - 1) / (T_sun Omega) x / (1 - exp(-x))
 
 with x = ln 2 D^2 / (wx wy), Omega the solid angle of the disc: the usual G/T = 8 pi k (Y - 1) L / (lambda^2 S), with
-the flux S = 2 k T_sun Omega / lambda^2. `docs/decisions` has a page on it.
+the flux S = 2 k T_sun Omega / lambda^2. See `docs/decisions/0076-beam-and-noise-by-the-sun.md`.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ from birdcage.skymap.plan import MapFrame
 from birdcage.skymap.sun_fit import SunPoint, fit_sun
 
 if TYPE_CHECKING:
+    from birdcage.base.beam import Beam
     from birdcage.signal.level_scale import LevelScale
     from birdcage.sky.observer import Observer
     from birdcage.skymap.sky_map import MapSample, SkyMap
@@ -90,18 +91,18 @@ class SunLesson:
 
 def teach_sun(
     sky_map: SkyMap, scale: LevelScale | None = None, freq_hz: float | None = None,
-    otherwise: Observer | None = None, refraction: Refraction = "radio",
+    otherwise: Observer | None = None, refraction: Refraction = "radio", beam: Beam | None = None,
 ) -> SunLesson:  # fmt: skip
     """Return what the Sun in a map tells.
 
-    `scale` makes decibels of counts. `freq_hz` and the place `otherwise` hold where the map does not tell its own.
-    LessonRefused, with the reason, where it tells nothing.
+    `scale` makes decibels of counts. `freq_hz`, the place `otherwise` and `beam` hold where the map does not
+    tell its own. LessonRefused, with the reason, where it tells nothing.
     """
     if not sky_map.decibels and scale is None:
         raise LessonRefused(NO_SCALE)
     told = sky_map.about.get("freq_hz")
     freq_hz = float(told) if isinstance(told, int | float) else freq_hz
-    samples, points = _points(sky_map, otherwise, refraction, freq_hz)
+    samples, points = _points(sky_map, otherwise, refraction, freq_hz, beam)
     powers = values_of(tuple(samples), sky_map.decibels, scale)
     seen = [SunPoint(right, up, float(power)) for (right, up), power in zip(points, powers, strict=True)]
     fit = fit_sun(seen)
@@ -144,13 +145,13 @@ def _noise(ratio: float, az_deg: float, el_deg: float, freq_hz: float) -> NoiseF
 
 
 def _points(
-    sky_map: SkyMap, otherwise: Observer | None, refraction: Refraction, freq_hz: float | None
+    sky_map: SkyMap, otherwise: Observer | None, refraction: Refraction, freq_hz: float | None, beam: Beam | None
 ) -> tuple[list[MapSample], list[tuple[float, float]]]:
     """Return the samples that tell of the Sun, and how far right of it each was, and above it."""
     if sky_map.plan.frame is MapFrame.TARGET:
         target = str(sky_map.about.get("target") or "")
         if target.casefold() != "sun":
-            raise LessonRefused(f"This map lies around {target or 'a moving target'}. It takes one around the Sun.")
+            raise LessonRefused(f"This map is around {target or 'a moving target'}. This needs one around the Sun.")
     heard = [sample for sample in sky_map.samples if sample.utc is not None]
     if not heard:
         raise LessonRefused("The map does not tell when its directions were heard, so the Sun can't be placed.")
@@ -164,7 +165,7 @@ def _points(
         raise LessonRefused("The Sun was below the horizon while this map was made.")
     beside = _slots(sky_map, otherwise, refraction, freq_hz) if known else ()
     kept = [(sample, offset(*place, sample.az_deg, sample.el_deg)) for sample, place in zip(heard, places, strict=True)]
-    return _clear_of(kept, places, beside, sky_map)
+    return _clear_of(kept, places, beside, _widths(sky_map, beam))
 
 
 def _sun_at(heard: Sequence[MapSample], observer: Observer, refraction: Refraction) -> list[tuple[float, float]]:
@@ -188,13 +189,18 @@ def _slots(
     return [(seen.az_deg, seen.el_deg) for seen in arc_over(observer_of(sky_map, otherwise), refraction)]
 
 
+def _widths(sky_map: SkyMap, beam: Beam | None) -> Sequence[float]:
+    """Return the widths of the beam, as the map tells them, else of `beam`; none at all where neither is known."""
+    told = sky_map.about.get("beam_az_deg"), sky_map.about.get("beam_el_deg")
+    known = [float(each) for each in told if isinstance(each, int | float)]
+    return known or ([] if beam is None else [beam.az_deg, beam.el_deg])
+
+
 def _clear_of(
     kept: list[tuple[MapSample, tuple[float, float]]], places: list[tuple[float, float]],
-    beside: Sequence[tuple[float, float]], sky_map: SkyMap,
+    beside: Sequence[tuple[float, float]], widths: Sequence[float],
 ) -> tuple[list[MapSample], list[tuple[float, float]]]:  # fmt: skip
     """Leave out what is near a slot. LessonRefused where that is the Sun itself."""
-    told = sky_map.about.get("beam_az_deg"), sky_map.about.get("beam_el_deg")
-    widths = [float(each) for each in told if isinstance(each, int | float)]
     reach = SLOT_BEAMS * max(widths, default=0.0)
     around = REACH_BEAMS * max(widths, default=90.0)
     kept = [each for each in kept if math.hypot(*each[1]) <= around]

@@ -42,15 +42,12 @@ def _list() -> None:
 
 
 def _row(head: MapHead) -> tuple[str, ...]:
-    from birdcage.skymap.plan import MapFrame
+    from birdcage.skymap.sky_map import region_words
 
     plan = head.plan
-    region = f"az {plan.x_low_deg:g}:{plan.x_high_deg:g} el {plan.y_low_deg:g}:{plan.y_high_deg:g}"
-    if plan.frame is MapFrame.TARGET:
-        region = f"around {head.about.get('target') or 'a target'} ±{max(plan.x_high_deg, plan.y_high_deg):g}°"
     level = "-" if head.low is None or head.high is None else f"{head.low:.4g} to {head.high:.4g} {head.unit}"
     return (
-        str(head.number), f"{head.begun:%Y-%m-%d %H:%M:%S}Z", region, f"{plan.step_deg:g}°",
+        str(head.number), f"{head.begun:%Y-%m-%d %H:%M:%S}Z", region_words(plan, head.about), f"{plan.step_deg:g}°",
         f"{head.heard} of {plan.cells}", head.source, level, "DEMO" if head.demo else "",
     )  # fmt: skip
 
