@@ -31,6 +31,12 @@ def keep(sky_map, key="k1", **about):
     return writer.number
 
 
+@pytest.fixture(autouse=True)
+def _simulated():
+    """These settings are of a simulated dish, so that they take what the maps here teach: they are DEMO."""
+    edit(Paths.default().config_file, {"dish.port": "sim:g2"})
+
+
 @pytest.fixture
 def trees():
     return keep(counts(TREES), latitude_deg=39.1, longitude_deg=-95.7)
@@ -100,7 +106,7 @@ def test_the_beam_of_the_settings_counts_for_a_map_that_tells_none(run):
 
 @pytest.fixture
 def sun():
-    return keep(simulated(SimSettings, around(12.0, 12.0, 1.5)))
+    return keep(simulated(SimSettings, around(12.0, 12.0, 1.5)), "sun")
 
 
 def test_the_beam_is_told_and_kept_only_when_asked(run, sun, as_json):
@@ -169,4 +175,21 @@ def test_a_map_that_does_not_tell_north_says_why_and_keeps_nothing(run):
     sun_map = keep(simulated(SimSettings, around(12.0, 12.0, 3.0)), "k2")
     said = run("maps", "north", sun_map, "--calibrate")
     assert (said.exit_code, "around Sun" in said.stderr) == (1, True)
+    assert load_peaks(peaks_file(Paths.default())).entries == ()
+
+
+@pytest.mark.parametrize("port", [None, "/dev/ttyUSB0"])
+def test_what_a_simulated_sky_teaches_stays_out_of_the_settings_of_another_dish(run, trees, sun, port, monkeypatch):
+    file = Paths.default().config_file
+    edit(file, {"dish.port": port})
+    monkeypatch.setenv("BIRDCAGE_PORT", "sim:g2")
+    before = file.read_bytes()
+    arc = keep(simulated_arc(7.0, 1.2, -1.6), "k3")
+    for asked in (("horizon", trees, "--accept", "all"), ("beam", sun, "--keep"),
+                  ("north", arc, "--within", 20, "--calibrate")):  # fmt: skip
+        said = run("maps", *asked)
+        assert said.exit_code == 2
+        assert "DEMO map: nothing is kept, as birdcage.toml has no simulated port." in said.stderr
+        assert said.stdout.strip(), "what was found is told all the same"
+    assert file.read_bytes() == before
     assert load_peaks(peaks_file(Paths.default())).entries == ()

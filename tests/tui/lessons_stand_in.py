@@ -19,6 +19,9 @@ class Lessons:
     def inputs(self, _sky_map, _beam):
         return self
 
+    def why_not_kept(self, _sky_map):
+        return ""
+
     def north(self):
         slots = tuple(
             SlotMeasured(seen, seen.az_deg - 7.0, seen.el_deg, 0.1, 50.0, BEGUN, 0.05, ())

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.base.paths import Paths
+from birdcage.sim.settings import SimSettings
 from birdcage.station.build import open_session
 from birdcage.station.events import PursuitChanged
 from birdcage.station.known import CableTurn
@@ -17,6 +18,8 @@ from birdcage.station.pursuit_state import Phase
 from birdcage_tui import run
 from birdcage_tui.feeds.track_source import make_track
 from birdcage_tui.main import parser
+
+from tests.skymap.suns import around, simulated
 
 SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
 
@@ -110,3 +113,14 @@ def test_the_demo_of_a_person_begins_so_too(tmp_path):
     session, _settings, _services = run._build(parser().parse_args(["--demo"]), paths)
     session.close()
     assert [path.parent.parent.name for path in tmp_path.rglob("turn.json")] == ["dishes"]
+
+
+def test_the_demo_keeps_what_its_maps_teach_but_not_in_a_file_of_yours(tmp_path):
+    own = tmp_path / "own.toml"
+    own.write_text("")
+    sky_map = simulated(SimSettings, around(4.0, 4.0, 2.0))
+    for asked, where in ((["--demo"], "birdcage.toml"), (["--demo", "--config", str(own)], "own.toml")):
+        paths = Paths.in_folder(tmp_path).with_config(tmp_path / where)
+        session, settings, _services = run._build(parser().parse_args(asked), paths)
+        session.close()
+        assert bool(settings.lessons.why_not_kept(sky_map)) == (where == "own.toml")

@@ -30,10 +30,10 @@ TREES = map_stand_in.made()
 TREES = replace(TREES, about={**TREES.about, "beam_az_deg": 3.0, "beam_el_deg": 3.0})
 
 
-def on_f3(test, sky, keys=(), *, size=(120, 36), lessons=True, make=None, **settings):
+def on_f3(test, sky, keys=(), *, size=(120, 36), lessons=True, make=None, thrown_away=True, **settings):
     """Return what `test(app, pilot)` returns on F3 with this map, after these keys."""
     paths = Paths.default()
-    told = MapLessons(lambda: load(paths.config_file), paths) if lessons else None
+    told = MapLessons(lambda: load(paths.config_file), paths, thrown_away=thrown_away) if lessons else None
 
     async def body():
         app = map_stand_in.app_with(sky, lessons=told, **settings)
@@ -211,3 +211,28 @@ def test_the_beam_is_kept_with_the_feed_and_told_to_the_station_when_agreed(agre
     assert (feed.beam_origin == "scan", len(applied), "Kept with the feed" in after) == (agreed, int(agreed), agreed)
     if agreed:
         assert applied[0].settings.active_feed == feed
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize(
+    ("sky", "keys"),
+    [
+        (TREES, ("enter", "A", "enter")),
+        (simulated_arc(7.0, 1.2, -1.6), ("down", "enter")),
+        (simulated(SimSettings, around(12.0, 12.0, 1.5)), ("down", "down", "enter")),
+    ],
+    ids=["horizon", "north", "beam"],
+)
+def test_what_a_simulated_sky_teaches_stays_out_of_the_settings_of_another_dish(sky, keys, size):
+    file, config = File(HorizonMask()), Paths.default().config_file
+
+    async def seen(app, _pilot):
+        return isinstance(app.screen, QuestionScreen), stand_in.text_of(app)
+
+    is_asked, said = on_f3(seen, sky, ("y", *keys), size=size, horizon=file, thrown_away=False)
+    assert (is_asked, bool(file.mask), config.exists()) == (False, False, False)
+    assert "DEMO map: nothing is kept, as birdcage.toml has no simulated port" in said
+    own = replace(sky, demo=False)
+    is_asked, said = on_f3(seen, own, ("y", *keys), size=size, horizon=file, thrown_away=False)
+    assert is_asked or file.mask
+    assert "DEMO map" not in said

@@ -295,7 +295,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         network=network,
         calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
-        lessons=MapLessons(load_again, paths),
+        lessons=MapLessons(load_again, paths, thrown_away=options.demo and options.config is None),
         clock_check=make_check(clock, paths),
         ready=None if options.demo else KeptChecks(load_again, paths, clock),  # a demo lacks nothing
         keep_place=keep_place,

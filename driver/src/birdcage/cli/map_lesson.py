@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import click
+
 from birdcage.cli.options import wanted
 
 if TYPE_CHECKING:
@@ -24,3 +26,12 @@ def map_meant(number: int) -> tuple[LessonInputs, Paths]:
         say("DEMO: this map is of a simulated sky.")
     scales = load_scales(wants.paths.known_levels).entries
     return inputs_for(sky_map, wants.settings, scales, wants.beam), wants.paths
+
+
+def refuse_demo(meant: LessonInputs, paths: Paths) -> None:
+    """Raise UsageError where a map of a simulated sky would teach the settings of another dish."""
+    from birdcage.skymap.demo_kept import why_demo_not_kept
+
+    why = why_demo_not_kept(meant.sky_map, paths.config_file)
+    if why:
+        raise click.UsageError(why)

@@ -17,10 +17,13 @@ if TYPE_CHECKING:
 
 
 class MapLessons:
-    """Reads files: beside the app's thread, but for `keep_beam`."""
+    """Reads files: beside the app's thread, but for `keep_beam` and `why_not_kept`.
 
-    def __init__(self, load: Callable[[], Settings], paths: Paths) -> None:
-        self._load, self._paths = load, paths
+    `thrown_away`: all that is kept is gone when the app ends, as with `--demo`.
+    """
+
+    def __init__(self, load: Callable[[], Settings], paths: Paths, *, thrown_away: bool = False) -> None:
+        self._load, self._paths, self._thrown_away = load, paths, thrown_away
 
     def inputs(self, sky_map: SkyMap, beam: Beam | None) -> LessonInputs:
         """Return what the lessons of a map go by; `beam` is that of the dish."""
@@ -28,6 +31,12 @@ class MapLessons:
         from birdcage.skymap.lesson_inputs import inputs_for
 
         return inputs_for(sky_map, self._load(), load_scales(self._paths.known_levels).entries, beam)
+
+    def why_not_kept(self, sky_map: SkyMap) -> str:
+        """Return why nothing of this map is kept, in a sentence; empty where it may be."""
+        from birdcage.skymap.demo_kept import why_demo_not_kept
+
+        return "" if self._thrown_away else why_demo_not_kept(sky_map, self._paths.config_file)
 
     def keep_beam(self, inputs: LessonInputs, found: SunLesson) -> tuple[str, Settings]:
         """Keep beam and system temperature with the feed; return it in words, and the settings as they are then.

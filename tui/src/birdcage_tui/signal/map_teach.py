@@ -77,14 +77,14 @@ class MapTeach:
             case "horizon":
                 self._compute(lambda: inputs().horizon(), partial(self._offer, shown))
             case "north":
-                self._compute(lambda: inputs().north(), self._offer_north)
+                self._compute(lambda: inputs().north(), partial(self._offer_north, shown))
             case _:
 
                 def sun() -> tuple[LessonInputs, SunLesson]:
                     told = inputs()
                     return told, told.sun()
 
-                self._compute(sun, self._offer_beam)
+                self._compute(sun, partial(self._offer_beam, shown))
 
     def _compute(self, work: Callable[[], Found], tell: Callable[[Found], object]) -> None:
         self._at_work = True
@@ -98,6 +98,10 @@ class MapTeach:
                 tell(found)
 
         self._host.maps.do_beside(work, told)
+
+    def _why_not_kept(self, shown: MapShown) -> str:
+        lessons = self._host.settings.lessons
+        return NO_SETTINGS if lessons is None else lessons.why_not_kept(shown.sky)
 
     # The horizon.
 
@@ -115,11 +119,15 @@ class MapTeach:
         """Put the points that were accepted into the horizon of the place."""
         from birdcage.skymap.horizon_accepted import with_accepted
 
-        offer = self._pane.offer
-        if offer is None:
+        offer, shown = self._pane.offer, self._host.view().map
+        if offer is None or shown is None or shown.key != offer.key:
             return
         if not offer.accepted:
             self._host.say(NOTHING)
+            return
+        why = self._why_not_kept(shown)
+        if why:
+            self._host.say(why)
             return
         horizon = self._host.horizon
         try:
@@ -133,9 +141,13 @@ class MapTeach:
 
     # North and tilt.
 
-    def _offer_north(self, found: ArcLesson) -> None:
+    def _offer_north(self, shown: MapShown, found: ArcLesson) -> None:
         from birdcage.calibration.map_peaks import peaks_of_map
 
+        words, why = north_words(found), self._why_not_kept(shown)
+        if why:
+            self._host.say(f"{why} {words.splitlines()[0]}")
+            return
         peaks = peaks_of_map(found)
 
         def answered(agreed: bool | None) -> None:
@@ -150,17 +162,17 @@ class MapTeach:
             self._host.say(f"{len(peaks)} peaks handed to Calibrate. F8 C shows the fit; a applies it.")
 
         yes = f"hand {len(peaks)} peaks to Calibrate"
-        self._page.app.push_screen(QuestionScreen("North and tilt by the arc", north_words(found), yes), answered)
+        self._page.app.push_screen(QuestionScreen("North and tilt by the arc", words, yes), answered)
 
     # Beam and noise.
 
-    def _offer_beam(self, found: tuple[LessonInputs, SunLesson]) -> None:
+    def _offer_beam(self, shown: MapShown, found: tuple[LessonInputs, SunLesson]) -> None:
         from birdcage.skymap.sun_kept import lesson_lines, why_not_kept
 
         inputs, lesson = found
-        lines, why = lesson_lines(lesson), why_not_kept(lesson)
+        lines, why = lesson_lines(lesson), self._why_not_kept(shown) or why_not_kept(lesson)
         if why:
-            self._host.say(f"{lines[0]}. {why}")
+            self._host.say(f"{why} {lines[0]}.")
             return
 
         def answered(agreed: bool | None) -> None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.map_lesson import map_meant
+from birdcage.cli.map_lesson import map_meant, refuse_demo
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
@@ -39,6 +39,7 @@ def beam(number: int, keep: bool) -> None:
             say(f"Counts became decibels by two known levels, {meant.scale.words(meant.sky_map.unit)}.")
     if not keep:
         return
+    refuse_demo(meant, paths)
     feed = meant.feed
     if feed is None:
         raise click.UsageError(f"The map was made with the feed {meant.feed_name}, which birdcage.toml does not have.")

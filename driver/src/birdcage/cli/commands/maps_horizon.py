@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.map_lesson import map_meant
+from birdcage.cli.map_lesson import map_meant, refuse_demo
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ def horizon(number: int, accept: str | None) -> None:
         if not meant.is_place_known:
             say("No place is known, so satellites near the trees can't be told from them.")
     if accept is not None:
+        refuse_demo(meant, paths)
         _keep(found, accept, meant.settings.place, paths)
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from birdcage.cli.exits import DATA_EPILOG
-from birdcage.cli.map_lesson import map_meant
+from birdcage.cli.map_lesson import map_meant, refuse_demo
 from birdcage.cli.options import flags, global_options
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ def north(number: int, within_deg: float, calibrate: bool) -> None:
         for line in _lines(found, in_use(meant.sky_map).az_offset_deg):
             tell(line)
     if calibrate:
+        refuse_demo(meant, paths)
         say(_keep(found, paths))
 
 
