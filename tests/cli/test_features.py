@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.paths import Paths
+from birdcage.cli import table
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
@@ -23,22 +24,36 @@ def _quick_line(monkeypatch):
 
 
 def rows(text):
-    head, *lines = text.splitlines()
-    return {line.split()[0]: line for line in (head, *lines)}
+    return {line.split()[0]: line for line in text.splitlines()}
 
 
 def test_what_a_dish_tells_is_listed_without_a_port(run, as_json):
     result = run("features", port="/dev/ttyUSB99", firmware="g2")
     assert result.exit_code == 0, result.stderr
     table = rows(result.stdout)
-    assert table["rssi"].split()[1:] == ["Signal", "strength", "counts", "from", "0", "read", "only"]
-    assert table["speed.azimuth"].split()[-6:] == ["deg/s", "0.009", "to", "65", "until", "restart"]
-    assert table["tv_search"].split()[-4:] == ["on,", "off", "from", "power-up"]
+    assert table["rssi"].split(None, 1)[1] == "Signal strength, counts          read only  DVB> rssi 10"
+    assert "Greatest azimuth speed, deg/s          0.009 to 65, until restart  STEP> mv" in table["speed.azimuth"]
+    assert "on, off, from power-up  NVS> d 20" in table["tv_search"]
+    lines = result.stdout.splitlines()
+    headings = [line for line in lines if not line.startswith(" ")]
+    assert headings[:3] == ["Hardware: Identity", "Hardware: Drivers", "Hardware: DIP switches"]
+    assert lines.index("Motors: Azimuth") < lines.index(table["speed.azimuth"]) < lines.index("Motors: Elevation")
     told = as_json(run("features", "--json", port="/dev/ttyUSB99", firmware="g2"))
     (search,) = [row for row in told["features"] if row["id"] == "tv_search"]
     assert (search["kind"], search["writer"], search["unit"]) == ("switch", "from power-up", None)
     assert "it moves by itself" in search["hazard"]
+    assert (search["page"], search["group"], search["asked"]) == ("settings", "TV search", "NVS> d 20")
     assert search["cost"] == {"lines": 4, "menu": "nvs", "min_interval_s": 0.0, "while_moving": False}
+
+
+def test_a_narrow_terminal_goes_without_the_question_and_cuts_what_a_feature_is(run, monkeypatch):
+    monkeypatch.setattr(table, "room", lambda: 80)
+    told = run("features", port="/dev/ttyUSB99", firmware="g2").stdout
+    assert max(map(len, told.splitlines())) <= 80
+    row = rows(told)["acceleration.elevation"]
+    assert "…, deg/s²" in row
+    assert "STEP>" not in row
+    assert "DVB> rssi 10" in rows(told)["rssi"], "a group that has the room has the question"
 
 
 def test_the_port_is_asked_where_no_firmware_is_named(run):
@@ -192,7 +207,7 @@ def test_what_can_only_be_set_is_shown_as_that(run, monkeypatch):
     model = replace(CARRYOUT_G2, features={**CARRYOUT_G2.features, "lamp": lamp})
     monkeypatch.setattr(CarryoutG2Protocol, "model", model)
     monkeypatch.setattr(MenuRotator, "write", lambda dish, _id, on: Reading(on, "", 0.0, dish.clock.utc()))
-    assert rows(run("features").stdout)["lamp"].split()[-4:] == ["until", "restart,", "not", "told"]
+    assert rows(run("features").stdout)["lamp"].endswith("on, off, until restart, not told")
     result = run("set", "lamp", "on")
     assert result.stdout.split(None, 1) == ["lamp", "on: the dish took it, and can't be asked for it\n"]
     asked = run("get", "lamp")

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from birdcage.console.session import Console
 from birdcage.protocol.g2 import CarryoutG2Protocol
-from birdcage.protocol.g2.features import RSSI_READS
+from birdcage.protocol.g2.features_receiver import RSSI_READS
 from birdcage.rotator.verdict import Grade
 
 BESIDE_THE_FEATURES = (
@@ -94,6 +94,8 @@ def test_reading_features_sends_only_harmless_lines_of_one_menu_and_tells_each_o
         ((menu, lines),) = {(known[name].cost.menu, known[name].cost.lines) for name in names}
         assert len(sent) <= lines
         assert {where for where, _line in sent} == {menu}
+        ((_prompt, line),) = {tuple(known[name].asked.split("> ")) for name in names}
+        assert line in [line for _where, line in sent]
         grade = Grade.SETTING if any(known[name].read_hazard for name in names) else Grade.HARMLESS
         assert {g2.judge(line, menu, homed=False).grade for _menu, line in sent} == {grade}
 

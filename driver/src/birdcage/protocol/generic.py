@@ -17,7 +17,7 @@ from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import CableTurn, Facts, Readback, SearchSwitch, SecondMove
-from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, FeatureKind, Value, Writer
+from birdcage.rotator.feature import END_TV_SEARCH, Cost, Feature, FeatureKind, FeaturePage, Value, Writer
 from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
@@ -35,8 +35,8 @@ def _end_tv_search(dish: Any, _done: Value) -> dict[str, Value]:  # noqa: ANN401
     return {END_TV_SEARCH: True}
 
 
-def end_tv_search(*, lines: int, menu: str | None = None) -> FeatureRow:
-    """Return the row of a dish whose TV search is ended while it runs, by `kill_search`."""
+def end_tv_search(*, lines: int, menu: str | None = None, asked: str = "") -> FeatureRow:
+    """Return the row of a dish whose TV search is ended while it runs, by `kill_search`, which sends `asked`."""
     return FeatureRow(
         Feature(
             END_TV_SEARCH,
@@ -44,6 +44,9 @@ def end_tv_search(*, lines: int, menu: str | None = None) -> FeatureRow:
             kind=FeatureKind.MOMENTARY,
             writer=Writer.AT_ONCE,
             cost=Cost(lines, menu),
+            page=FeaturePage.SETTINGS,
+            group="TV search",
+            asked=asked,
         ),
         write=_end_tv_search,
     )

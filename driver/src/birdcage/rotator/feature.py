@@ -70,6 +70,15 @@ class Writer(Enum):
     """It is done, and over."""
 
 
+class FeaturePage(Enum):
+    """Which part of a machine a feature tells of: a page of its own in the faces."""
+
+    HARDWARE = "hardware"
+    MOTORS = "motors"
+    RECEIVER = "receiver"
+    SETTINGS = "settings"
+
+
 @dataclass(frozen=True, slots=True)
 class Range:
     """The least and the greatest value, in the feature's unit; infinite where there is none."""
@@ -143,6 +152,15 @@ class Feature:
     """What a person should know who writes it, in sentences."""
     read_hazard: str = ""
     """The consequence of reading it, which a person has to agree to; empty for what only tells."""
+    page: FeaturePage | None = None
+    """Where the faces show it; None for what belongs to none of the pages."""
+    group: str = ""
+    """The heading under which it stands there; groups stand in the order of the table."""
+    asked: str = ""
+    """What the machine is asked for it, as a person would type it in its console: `A3981> diag`.
+
+    Of what can only be set: what sets it. Empty where no such line is known.
+    """
 
     @property
     def is_readable(self) -> bool:

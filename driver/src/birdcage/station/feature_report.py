@@ -30,6 +30,8 @@ def feature_values(feature: Feature) -> Values:
             "lines": cost.lines, "menu": cost.menu, "min_interval_s": cost.min_interval_s,
             "while_moving": cost.while_moving,
         },
+        "page": feature.page.value if feature.page else None, "group": feature.group or None,
+        "asked": feature.asked or None,
     }  # fmt: skip
 
 

@@ -9,21 +9,24 @@ import click
 from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 
+_HEAD = ("name", "what", "set", "asked")
+_SHORTEST = 24
+"""No cell of what a feature is gets shorter than that."""
+
 
 @click.command("features", epilog=exits.EPILOG)
 @global_options()
 def command() -> None:
     """List what this dish tells besides its position, and what you may set.
 
-    One line each: name, what it is, unit, range, and how it is set. `birdcage get NAME` reads it, `birdcage set NAME
-    VALUE` sets it. until restart: the dish forgets it when it restarts. from power-up: it is saved, and counts from the
-    next power-up on.
+    One line each: name, what it is with its unit, and how it is set. A wide terminal also shows what the dish is asked.
+    `birdcage get NAME` reads it, `birdcage set NAME VALUE` sets it. until restart: the dish forgets it when it
+    restarts. from power-up: it is saved, and counts from the next power-up on.
 
     If another birdcage program has the port, that one is asked. With a named firmware no port is opened.
     """
     from birdcage.cli.dish_features import list_features
     from birdcage.cli.say import say, tell_json
-    from birdcage.cli.table import tell_table
 
     told = list_features(wanted())
     rows = told["features"]
@@ -32,14 +35,40 @@ def command() -> None:
     elif not rows:
         say("This dish tells its position only.")
     else:
-        head = ("name", "what", "unit", "range", "set")
-        tell_table(head, [(row["id"], row["label"], row["unit"] or "-", _range(row), _set(row)) for row in rows])
+        _tell(rows)
+
+
+def _tell(rows: list[dict[str, Any]]) -> None:
+    """Print each group of each page below its heading."""
+    from birdcage.cli.say import tell
+    from birdcage.cli.table import GAP, cut, fitting, room, tell_table, widths_of
+
+    groups: dict[str, list[dict[str, Any]]] = {}
+    for row in rows:
+        groups.setdefault(_heading(row), []).append(row)
+    for heading, rows_of in groups.items():
+        tell(heading)
+        cells = [(f"{GAP}{row['id']}", f"{row['label']}{_unit(row)}", _set(row), row["asked"] or "") for row in rows_of]
+        shown, width = fitting(_HEAD, widths_of([""] * len(_HEAD), cells), room(), ("asked",), "what", _SHORTEST)
+        whats = (f"{cut(row['label'], width - len(_unit(row)))}{_unit(row)}" for row in rows_of)
+        lines = [[what if at == 1 else line[at] for at in shown] for line, what in zip(cells, whats, strict=True)]
+        tell_table(lines[0], lines[1:])
+
+
+def _heading(row: dict[str, Any]) -> str:
+    return ": ".join(part for part in (str(row["page"] or "other").capitalize(), row["group"]) if part)
+
+
+def _unit(row: dict[str, Any]) -> str:
+    return f", {row['unit']}" if row["unit"] else ""
 
 
 def _set(row: dict[str, Any]) -> str:
-    """Return how it is set; what is neither told nor done at once can be set alone."""
+    """Return range and life of what is set; what is neither told nor done at once can be set alone."""
+    if row["writer"] == "read only":
+        return "read only"
     only = not row["told"] and row["kind"] != "momentary"
-    return f"{row['writer']}, not told" if only else str(row["writer"])
+    return ", ".join(part for part in (_range(row), row["writer"], "not told" if only else "") if part)
 
 
 def _range(row: dict[str, Any]) -> str:
@@ -47,7 +76,7 @@ def _range(row: dict[str, Any]) -> str:
     if kind == "switch":
         return "on, off"
     if low is None and high is None:
-        return "-"
+        return ""
     if low is None:
         return f"up to {high:.4g}"
     return f"from {low:.4g}" if high is None else f"{low:.4g} to {high:.4g}"

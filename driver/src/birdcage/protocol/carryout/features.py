@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from birdcage.protocol.carryout.dialect import NVS
 from birdcage.protocol.carryout.going import EL_MAX_ROW, EL_SPAN_DEG, HIGHEST_EL_DEG
 from birdcage.protocol.nvs import row_label
-from birdcage.rotator.feature import Cost, Feature, FeatureKind, Range, Value
+from birdcage.rotator.feature import Cost, Feature, FeatureKind, FeaturePage, Range, Value
 from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
@@ -27,6 +27,7 @@ FEATURES = FeatureTable(
         Feature(
             CEILING, f"Highest elevation ({row_label(EL_MAX_ROW)})", "deg", FeatureKind.NUMBER,
             Range(EL_SPAN_DEG[0], HIGHEST_EL_DEG), cost=Cost(1, NVS),
+            page=FeaturePage.SETTINGS, group="Elevation", asked=f"NVS> e {EL_MAX_ROW}",
         ),
         _ceiling,
     ),

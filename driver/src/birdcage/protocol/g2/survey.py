@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
-from birdcage.protocol.g2.features import angle_of, speeds_of, tv_search_of
+from birdcage.protocol.g2.features_motors import speeds_of
+from birdcage.protocol.g2.features_settings import angle_of, tv_search_of
 from birdcage.protocol.g2.motors import CEILING, FLOOR
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from birdcage.protocol.generic import end_tv_search
 from birdcage.protocol.hal.dialect import NVS, SEARCH
 from birdcage.protocol.nvs import row_label
-from birdcage.rotator.feature import SETTINGS, Cost, Feature, FeatureKind, Range, Value
+from birdcage.rotator.feature import SETTINGS, Cost, Feature, FeatureKind, FeaturePage, Range, Value
 from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
@@ -35,16 +35,23 @@ def _lowest(name: str, what: str) -> FeatureRow:
     index = LOWEST[name]
     label = f"Lowest elevation{what} ({row_label(index)})"
     return FeatureRow(
-        Feature(name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS)), _angle(name, index)
-    )
+        Feature(
+            name, label, "deg", FeatureKind.NUMBER, Range(-90.0, 90.0), cost=Cost(1, NVS),
+            page=FeaturePage.SETTINGS, group="Elevation", asked=f"NVS> e {index}",
+        ),
+        _angle(name, index),
+    )  # fmt: skip
 
 
 FEATURES = FeatureTable(
     _lowest("floor", ""),
     _lowest("floor.search", " of its TV search"),
-    end_tv_search(lines=1, menu=SEARCH),
+    end_tv_search(lines=1, menu=SEARCH, asked="NGSEARCH> s"),
     FeatureRow(
-        Feature(SETTINGS, "All settings (NVS)", "", FeatureKind.LINES, cost=Cost(1, NVS)),
+        Feature(
+            SETTINGS, "All settings (NVS)", "", FeatureKind.LINES, cost=Cost(1, NVS),
+            page=FeaturePage.SETTINGS, group="All settings", asked="NVS> d",
+        ),
         lambda dish: {SETTINGS: "\n".join(dish.settings_table())},
     ),
-)
+)  # fmt: skip
