@@ -224,6 +224,21 @@ def test_rows_that_are_closer_than_columns_tell_the_same_line():
     assert [edge.az_deg for edge in inside if abs(edge.el_deg - line.at(edge.az_deg)) > 1.5] == []
 
 
+def test_an_unknown_source_lifts_no_tree_where_rows_are_closer_than_columns():
+    dice = random.Random(4)
+
+    def level(az, el):
+        trees = (0.5 - 0.5 * math.erf((el - 22.0) / 2.675 / math.sqrt(2.0))) * (150.0 <= az <= 190.0)
+        off = math.hypot((az - 170.0) * math.cos(math.radians(28.0)) / 6.4, (el - 28.0) / 6.3)
+        return 10.0 * math.log10(100.0 + 280.0 * (trees + 2.0 * 0.5 ** (4.0 * off**2))) + dice.gauss(0.0, 0.05)
+
+    plan = replace(PLAN, step_deg=2.0, y_step_deg=1.0)
+    found = teach_horizon(made_map(plan, level, about=KNOWN, decibels=True, unit="dB"))
+    heights = [edge.el_deg for edge in found.edges if not edge.is_clear]
+    assert len(heights) >= 6
+    assert heights == pytest.approx([22.0] * len(heights), abs=0.5)
+
+
 @pytest.mark.parametrize("typed", [math.nan, math.inf, -math.inf])
 def test_what_is_no_angle_chooses_no_point(typed):
     with pytest.raises(LookupError, match="is no azimuth"):
