@@ -104,6 +104,7 @@ def test_a_map_waits_for_its_time_and_counts_down_before_the_dish_moves(tmp_path
     bench.step(7.0)
     assert bench.task.phase is TaskPhase.COUNTDOWN
     assert bench.moves_since(at) == []
+    assert bench.task.found["until_s"] == begins_s + 6.0
     bench.run()
     assert 3 < bench.task.done < 24
     assert "directions are heard. Resume it" in bench.task.why
@@ -145,6 +146,7 @@ def test_a_map_around_a_target_ends_where_its_way_was_computed_to(tmp_path):
     now_s = bench.clock.utc().timestamp()
     plan = MapPlan(-3.0, 3.0, -3.0, 3.0, 1.0, frame=MapFrame.TARGET)
     bench.begin(plan, path=((now_s, 170.0, 40.0), (now_s + 8.0, 170.2, 40.0)), target="mover")
+    assert bench.task.found["until_s"] == now_s + 8.0
     ended = bench.run()
     assert 3 < ended.done < 49
     assert ended.why.startswith(

@@ -79,11 +79,12 @@ def test_the_reference_may_be_the_peak_that_was_heard():
     [
         ({"azimuth": "160-220"}, "Type from:to in degrees, 160:220."),
         ({"azimuth": "nan:220"}, "Type from:to"),
-        ({"azimuth": "220:160"}, "ends before it begins"),
+        ({"elevation": "50:25"}, "ends before it begins"),
+        ({"azimuth": "5:-5", "elevation": "-5:5", "around": "sun"}, "ends before it begins"),
         ({"azimuth": "0:361"}, "wider than 360°"),
         ({"elevation": "5:15"}, "This dish reaches 18 to 65°."),
         ({"step": "0"}, "Give more than 0"),
-        ({"step": "one"}, "Step is 'one'. Type degrees, 0.8."),
+        ({"step": "one"}, "Step is 'one'. Type degrees: 0.8."),
         ({"step": "0.01"}, "At most 300000 fit"),
         ({"order": "zigzag"}, "Type coarse, rows, columns or spiral."),
         ({"start": "noon"}, "is not a time"),
@@ -135,6 +136,44 @@ def test_a_map_around_the_sun_needs_a_place_and_knows_its_way():
         target_path("nosuch", stand_in.PLACE, 1.8e9, 60.0)
 
 
+def test_a_region_over_north_may_end_at_a_lesser_azimuth():
+    plan = request_of(view_of(), typed(azimuth="350:10")).plan
+    assert (plan.x_low_deg, plan.x_high_deg, plan.columns) == (350.0, 370.0, 21)
+
+
+def test_an_open_dialog_tells_times_of_now():
+    async def opened(app, pilot):
+        await pilot.press("m")
+        await pilot.pause()
+        field = app.screen.query(Input)[6]
+        field.value = "12:10"
+        await pilot.pause()
+        before = stand_in.text_of(app)
+        app.session.clock.advance(20 * 60.0)
+        await pilot.press("enter")
+        await pilot.pause()
+        return before, app.station.asked_for(BeginTask)
+
+    before, begun = run(opened, key="f3")
+    assert "12:10Z it pauses" in " ".join(before.split())
+    assert begun[0].values["until_s"] == datetime(2026, 3, 21, 12, 10, tzinfo=UTC).timestamp()
+    fresh = []
+
+    async def looked(app, pilot):
+        await pilot.press("m")
+        await pilot.pause()
+        fresh.append(stand_in.text_of(app))
+        app.session.clock.advance(3 * 3600.0)
+        app.screen.query(Input)[2].value = "2"
+        await pilot.pause()
+        await pilot.pause()
+        fresh.append(stand_in.text_of(app))
+
+    run(looked, key="f3")
+    assert "ends 12:" in " ".join(fresh[0].split())
+    assert "ends 15:" in " ".join(fresh[1].split())
+
+
 @pytest.mark.parametrize("size", [(80, 24), (120, 36), (160, 48)], ids=str)
 def test_enter_begins_it_and_the_dialog_lies_inside_the_screen(size):
     async def begun(app, pilot):
@@ -152,10 +191,11 @@ def test_enter_begins_it_and_the_dialog_lies_inside_the_screen(size):
     assert before == []
     assert [each.kind for each in after] == ["map"]
     assert (after[0].values["x_low_deg"], after[0].values["y_high_deg"]) == (125.0, 50.0)
-    assert "The map begins now. Space stops the dish, e pauses." in said
+    assert "The map begins. Space: STOP. e: pause." in said
 
 
-def test_a_map_around_the_sun_begins_once_its_way_is_known():
+@pytest.mark.parametrize("stopped", ["", "held", "released since"])
+def test_a_map_around_the_sun_begins_once_its_way_is_known_unless_stop_comes_first(stopped):
     async def body():
         app, waiting = stand_in.app_in("idle"), []
         app.session.clock.step_utc(6 * 3600.0)
@@ -170,13 +210,26 @@ def test_a_map_around_the_sun_begins_once_its_way_is_known():
             await pilot.press("enter")
             await pilot.pause()
             before = list(app.station.asked_for(BeginTask))
+            moves = app.view_may_move()
+            if stopped:
+                stand_in.change_to(app, "held")
+            if stopped == "released since":
+                app.station.state = replace(app.station.state, held=None)
             for work in waiting:
                 work()
             await pilot.pause()
-            return before, app.station.asked_for(BeginTask)
+            app.paint()
+            await pilot.pause()
+            return moves, before, app.station.asked_for(BeginTask), stand_in.text_of(app), bool(app.motions.under_way)
 
-    before, after = asyncio.run(body())
+    moves, before, after, said, under_way = asyncio.run(body())
+    assert moves, "Space and Esc stop it"
+    assert not under_way
     assert before == []
+    if stopped:
+        assert after == []
+        assert ("STOP came first. No map was begun." in said) == (stopped != "held"), "row 2 tells of HELD until then"
+        return
     values = after[0].values
     assert (values["frame"], values["target"]) == ("target", "Sun")
     assert values["until_s"] == values["path"][-1][0], "beyond it nothing is known of the Sun"

@@ -28,6 +28,7 @@ def test_a_map_is_made_paused_and_gone_on_with():
             paused, done = on.text(), on.app.maps.book.shown.heard
             await on.press("u")
             asked = on.text()
+            await on.wait(2)
             await on.press("y")
             await on.wait(20)
             path = on.app.settings.recordings_file
@@ -40,7 +41,7 @@ def test_a_map_is_made_paused_and_gone_on_with():
     assert "running, " in running
     assert " of 28, " in running
     assert 0 < done < 28
-    assert f"interrupted at {done} of 28" in paused
+    assert f"paused at {done} of 28" in paused
     assert "u resumes it" in paused
     assert f"{28 - done} directions, about" in " ".join(asked.split())
     assert "finished" in over

@@ -184,3 +184,38 @@ def test_a_map_of_another_program_is_drawn_as_it_tells(tmp_path):
     told = TaskChanged(house.clock.monotonic(), house.clock.utc(), map_stand_in.task(heard(103)))
     house.feed._on_event(event_from_json(json.loads(as_line(to_json(told)))))
     assert house.shown.heard == 103
+
+
+def test_a_file_that_cannot_be_read_is_a_problem_until_it_can_and_reading_goes_on(tmp_path, monkeypatch):
+    path = map_stand_in.keep(tmp_path / "signal.sqlite", heard(100))
+    house = House(path, map_stand_in.task(heard(100)))
+
+    def gone(*_args):
+        raise OSError("the stick was pulled")
+
+    with monkeypatch.context() as broken:
+        broken.setattr("birdcage_tui.feeds.map_feed.read_map", gone)
+        house.work()
+    assert "the stick was pulled" in house.feed.problem
+    assert house.shown is None
+    house.tell(map_stand_in.task(heard(100)), after_s=AGAIN_S)
+    house.work()
+    assert house.feed.problem == ""
+    assert house.shown.heard == 100
+
+
+def test_the_next_direction_is_the_one_that_the_task_tells_and_not_one_out_of_reach(tmp_path):
+    sky = heard(300)
+    house = House(map_stand_in.keep(tmp_path / "signal.sqlite", sky), map_stand_in.task(sky))
+    house.work()
+    further = sky.plan.sequence[700]
+    house.tell(map_stand_in.task(sky, next=float(further)))
+    assert house.shown.next_cell == further
+
+
+def test_without_that_word_the_next_direction_comes_after_the_newest(tmp_path):
+    sky = heard(300)
+    left_out = replace(sky, samples=sky.samples[:200] + sky.samples[210:])
+    house = House(map_stand_in.keep(tmp_path / "signal.sqlite", left_out), map_stand_in.task(left_out))
+    house.work()
+    assert house.shown.next_cell == sky.plan.sequence[300]

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import map_stand_in
 import pytest
 import stage
 import stand_in
 from birdcage.skymap.plan import MapPlan
-from birdcage.station.requests import BeginTask, EndMotion
+from birdcage.station.requests import BeginTask, EndMotion, Jog
 from birdcage_tui.pocket.map import PocketMap
 from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.widgets.choice_screen import ChoiceScreen
-from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import TAKEN_IN_S, QuestionScreen
 from map_stand_in import on_map, settle
 
 SIZES = [(80, 24), (120, 36), (160, 48)]
@@ -39,7 +41,7 @@ def test_e_pauses_the_map_by_ending_its_task():
 
     ended, said = on_map(pressed, sky, task(sky))
     assert ended == [EndMotion("you")]
-    assert "u resumes it at any time" in said
+    assert "Map paused. u resumes it, even after a restart." in said
     assert on_map(pressed, sky)[0] == []
 
 
@@ -54,6 +56,7 @@ def test_u_asks_and_goes_on_with_what_is_left(tmp_path):
         question = stand_in.text_of(app)
         assert isinstance(app.screen, QuestionScreen)
         before = app.station.asked_for(BeginTask)
+        app.session.clock.advance(TAKEN_IN_S)
         await pilot.press("y")
         await settle(app, pilot)
         return question, before, app.station.asked_for(BeginTask)
@@ -145,7 +148,7 @@ def test_the_horizon_and_the_sun_are_lines_on_it_and_lost_steps_are_told():
     sky = heard(1500)
     drift = {"gain": 0.97, "right_deg": 0.4, "up_deg": 0.0, "lost_steps": True}
     said = on_map(read, sky, task(sky, **drift), size=(160, 48))
-    assert "LOST STEPS, drift: gain 0.97, +0.40° right, +0.00° up" in said
+    assert "LOST STEPS, drift: gain ×0.97, +0.40° right, +0.00° up" in said
 
 
 def test_v_comes_by_the_map_between_sweep_and_strip():
@@ -200,3 +203,78 @@ def test_a_phone_without_a_map_says_where_one_begins():
         return stand_in.text_of(app)
 
     assert "No map is open." in stage.run(pressed, size=(40, 12))
+
+
+def test_a_map_that_takes_the_page_takes_the_arrows_too():
+    sky = heard(40)
+
+    async def pressed(app, pilot):
+        page = app.page
+        before = app.query_one(MapPane).has_focus
+        running = task(sky, number=2)
+        app.station.state = replace(app.station.state, tasks=(running,))
+        app.maps.book.take(running)
+        await settle(app, pilot)
+        await settle(app, pilot)
+        await pilot.press("right")
+        await settle(app, pilot)
+        return before, page.shows_map, app.query_one(MapPane).has_focus, app.station.asked_for(Jog)
+
+    assert on_map(pressed, sky, view=False) == (False, True, True, [])
+
+
+def test_without_the_focus_a_running_map_says_that_arrows_end_it():
+    sky = heard(40)
+
+    async def pressed(app, pilot):
+        app.screen.set_focus(None)
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    assert "arrows step the dish and end the map, i: cursor" in on_map(pressed, sky, task(sky), size=(160, 48))
+    assert "arrows step the dish" not in on_map(pressed, sky, size=(160, 48))
+
+
+def test_g_says_why_it_offers_nothing():
+    async def pressed(app, pilot):
+        await pilot.press("i", "g")
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    assert "Nothing is heard yet, so the cursor is nowhere." in on_map(pressed, heard(0))
+
+
+def test_a_list_that_comes_late_does_not_lie_over_another_page(tmp_path):
+    path, waiting = map_stand_in.keep(tmp_path / "signal.sqlite", heard(40)), []
+
+    async def pressed(app, pilot):
+        app.maps.beside = waiting.append
+        await pilot.press("M", "u", "f2")
+        await settle(app, pilot)
+        for work in waiting:
+            work()
+        await settle(app, pilot)
+        return isinstance(app.screen, ChoiceScreen | QuestionScreen), stand_in.text_of(app)
+
+    is_open, said = on_map(pressed, heard(40), recordings_file=path)
+    assert not is_open
+    assert "The map is ready to resume. u on F3 asks." in said
+
+
+def test_a_file_that_cannot_be_read_is_told_beside_the_map():
+    async def pressed(app, pilot):
+        app.maps.problem = "The file is damaged."
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    assert "The file is damaged." in on_map(pressed, heard(40), size=(160, 48))
+
+
+def test_a_search_during_a_map_is_refused_by_what_is_under_way():
+    async def pressed(app, pilot):
+        await pilot.press("f")
+        await settle(app, pilot)
+        return stand_in.text_of(app)
+
+    sky = heard(40)
+    assert "Mapping the sky is under way. Space stops it." in on_map(pressed, sky, task(sky))

@@ -116,3 +116,9 @@ def test_the_beam_is_wider_in_azimuth_the_higher_it_looks():
     assert low[0] == pytest.approx(6.2 / 121 * chart.width, abs=1.5)
     assert high[0] == pytest.approx(10.5 / 121 * chart.width, abs=1.5)
     assert low[1] == pytest.approx(6.0 / 51 * chart.height, abs=1.5)
+
+
+def test_rows_lie_as_far_apart_as_they_were_heard():
+    chart, _ = on_chart(plan=MapPlan(120.0, 240.0, 10.0, 60.0, 1.0, y_step_deg=5.0))
+    assert chart.tall_deg == 55.0
+    assert chart.low_deg == 7.5

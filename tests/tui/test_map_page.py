@@ -91,7 +91,7 @@ def test_what_a_map_does_is_told_in_every_state(phase, more, state, words):
 
 
 def test_a_map_that_nothing_makes_says_how_it_goes_on():
-    assert "interrupted at 40 of 3993. u resumes it" in on_map(read, heard(40))
+    assert "unfinished, 40 of 3993. u resumes it" in on_map(read, heard(40))
     whole = heard()
     assert "finished 2026-03-20 07:39Z, all 3993 heard" in on_map(read, replace(whole, ended=whole.samples[-1].utc))
 
@@ -114,7 +114,7 @@ def test_a_held_dish_is_told_and_enter_releases_it_before_anything_else():
         return said, refused, app.station.asked_for(Release), app.query_one(GotoLine).display
 
     said, refused, released, line = on_map(pressed, heard(40))
-    assert "HELD at 40 of 3993. Enter releases the dish, then u resumes the map" in said
+    assert "unfinished, 40 of 3993. Dish HELD: Enter releases it, then u resumes the map" in said
     assert "STOP is latched. Enter releases it." in refused
     assert len(released) == 1
     assert not line
@@ -212,7 +212,7 @@ def test_a_map_around_a_target_has_offsets_and_no_direction_to_point_at():
     assert "101W" not in said
     assert said.count("◆") == 2, "the target, and the legend"
     assert "+0.50° right, +0.00° up" in after
-    assert "the map moves with its target" in after
+    assert "it moves with the target" in after
     assert not line
 
 

@@ -18,7 +18,7 @@ from birdcage_tui.feeds.map_lessons import MapLessons
 from birdcage_tui.shown.map_book import MapRead
 from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.widgets.choice_screen import ChoiceScreen
-from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import TAKEN_IN_S, QuestionScreen
 from horizon_stand_in import File
 from map_stand_in import settle
 
@@ -119,14 +119,14 @@ def test_leaving_keeps_nothing(key):
     offer, said = on_f3(seen, TREES, ("y", "enter", "A", key), horizon=file)
     assert offer is None
     assert "Enter keeps" not in said
-    assert "The proposed horizon is gone. Nothing was kept." in said
+    assert "Proposal discarded. The horizon is unchanged." in said
     assert file.mask == HorizonMask([(20.0, 5.0), (300.0, 5.0)])
 
 
 def test_enter_without_an_accepted_point_says_so_and_keeps_the_proposal():
     file = File(HorizonMask())
     said = on_f3(read, TREES, ("y", "enter", "enter"), horizon=file)
-    assert "No point is accepted" in said
+    assert "No points accepted. The horizon is unchanged." in said
     assert "Enter keeps 0" in said
     assert not file.mask
 
@@ -182,6 +182,7 @@ def test_north_is_told_and_handed_to_calibrate_when_agreed(agreed):
 
     async def seen(app, pilot):
         asked = isinstance(app.screen, QuestionScreen), stand_in.text_of(app)
+        app.session.clock.advance(TAKEN_IN_S)
         await pilot.press("y" if agreed else "n")
         await settle(app, pilot)
         return asked, stand_in.text_of(app)
@@ -199,6 +200,7 @@ def test_north_is_told_and_handed_to_calibrate_when_agreed(agreed):
 def test_the_beam_is_kept_with_the_feed_and_told_to_the_station_when_agreed(agreed):
     async def seen(app, pilot):
         said = stand_in.text_of(app)
+        app.session.clock.advance(TAKEN_IN_S)
         await pilot.press("y" if agreed else "n")
         await settle(app, pilot)
         return said, stand_in.text_of(app), [each for each in app.station.asked if isinstance(each, ApplySettings)]

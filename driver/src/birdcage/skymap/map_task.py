@@ -138,6 +138,12 @@ class MapTask(Task):
         """Whether nothing is left that a later try could hear."""
         return not self._unread and (self._path is None or not self._beyond)
 
+    @property
+    def _until_s(self) -> float:
+        """When it ends even if it is not whole; 0 for never."""
+        path_s = self._path.end_s if self._path is not None and len(self._path.rows) > 1 else 0.0
+        return min((each for each in (self._request.until_s, path_s) if each), default=0.0)
+
     def _why_over_at(self, now_s: float) -> str:
         """Return why it ends before all is heard, as a sentence; empty while it goes on."""
         until_s, path = self._request.until_s, self._path
@@ -294,7 +300,8 @@ class MapTask(Task):
     def found(self) -> Mapping[str, TaskValue]:
         """`map`: its key; `newest`: cell, azimuth, elevation and value of the last directions; `left_s`, if known.
 
-        `next`: the cell under way. `beyond`: how many directions are out of reach. Once two reference crosses have
+        `next`: the cell under way. `beyond`: how many directions are out of reach. `until_s`: when it ends even if
+        it is not whole, POSIX seconds; absent for a map that has no such time. Once two reference crosses have
         found their source `gain` (parts of the first, or decibels), `right_deg`, `up_deg` and `lost_steps`.
         """
         told: dict[str, TaskValue] = {
@@ -302,6 +309,8 @@ class MapTask(Task):
             "newest": tuple(self._newest),
             "beyond": len(self._beyond),
         }
+        if until_s := self._until_s:
+            told["until_s"] = until_s
         if self._cell is not None:
             told["next"] = float(self._cell)
         if len(self._at_s) > 1:

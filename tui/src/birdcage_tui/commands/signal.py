@@ -6,7 +6,7 @@ from birdcage.signal.level_scale import why_no_scale
 
 from birdcage_tui.commands.table import Command
 from birdcage_tui.shown.allowed import CommandContext, can_move, can_step
-from birdcage_tui.shown.event_words import finding_now
+from birdcage_tui.shown.event_words import FINDING, finding_now
 from birdcage_tui.shown.pursuit import pursuit_of
 
 WHERE = ("signal",)
@@ -27,8 +27,8 @@ def can_find(context: CommandContext) -> str | None:
         return f"{reason} s chooses another source."
     if state.position is None or state.position_lost is not None:
         return can_step(context) or "Where the dish points is unknown. Home it first."
-    if finding_now(state) is not None:
-        return "It is searching already. Space stops it."
+    if (task := finding_now(state)) is not None:
+        return f"{FINDING[task.kind]} is under way. Space stops it."
     if pursuit_of(state) is not None:
         return "The dish follows a target. End that first."
     return can_move(context)

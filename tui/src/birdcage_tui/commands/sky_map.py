@@ -70,12 +70,17 @@ SKY_MAP = (
     _inside("map-far-right", ("shift+right", "end"), "End", "Cursor far right", "Ten directions of the map."),
     _inside("map-far-up", ("shift+up", "pageup"), "PgUp", "Cursor far up", "Ten directions of the map."),
     _inside("map-far-down", ("shift+down", "pagedown"), "PgDn", "Cursor far down", "Ten directions of the map."),
-    _offer("map-offer-left", ("left", "h"), "← h", "Point before", "Of a proposed horizon, the one to the left."),
-    _offer("map-offer-right", ("right", "l"), "→ l", "Next point", "Of a proposed horizon, the one to the right."),
+    _offer(
+        "map-offer-left", ("left", "h", "up", "k"), "← ↑", "Point before", "Of a proposed horizon, the one to the left."
+    ),
+    _offer(
+        "map-offer-right", ("right", "l", "down", "j"), "→ ↓", "Next point",
+        "Of a proposed horizon, the one to the right.",
+    ),
     _offer("map-offer-accept", ("a",), "a", "Accept the point", "Or take that back, and go to the next.", "accept"),
     _offer("map-offer-all", ("A",), "A", "Accept all", "Accept every point of the proposed horizon, or none."),
     _offer("map-offer-keep", ("enter",), "Enter", "Keep the points", "Put what is accepted into the horizon.", "keep"),
-    _offer("map-offer-leave", ("q",), "q", "Leave the proposal", "Take it off the map. Nothing is kept."),
+    _offer("map-offer-leave", ("q",), "q", "Discard the proposal", "Take it off the map. The horizon stays unchanged."),
     Command(
         "map-goto", ("g", "enter"), "g Enter", "Point there …",
         "Offer to point the dish at the cursor. Enter sends it.", "Map", where=INSIDE, page="signal", footer="point",

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from birdcage.base.errors import ConfigError
 from birdcage.base.geometry import shortest_turn
-from birdcage.sky.horizon import HorizonMask
+from birdcage.sky.horizon import HorizonMask, horizon_words
 
 from birdcage_tui.feeds.settings import HorizonFile
 from birdcage_tui.shown.horizon_state import HorizonState, count_text
+
+if TYPE_CHECKING:
+    from birdcage.skymap.horizon_lesson import HorizonEdge
 
 REST_S = 1.0
 """The dish has to stand so long after a jog before that is a point: steps in a row are one way."""
@@ -65,6 +69,13 @@ class HorizonBook:
         """Keep a horizon that was drawn as a whole."""
         self._change(lambda _: mask)
         return f"Saved the drawn horizon, {count_text(self.mask)}. z: undo."
+
+    def accept(self, points: Sequence[HorizonEdge], accepted: Collection[int]) -> str:
+        """Keep those points of a proposed horizon whose index was accepted; what stands beside them stays."""
+        from birdcage.skymap.horizon_accepted import with_accepted
+
+        self._change(lambda mask: with_accepted(mask, points, accepted))
+        return f"Saved: {horizon_words(self.mask.points)}. z on F2 takes it back."
 
     def clear(self) -> str:
         """Make it flat."""

@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import TypeVar
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import BirdcageError, StoreError
+from birdcage.base.errors import BirdcageError
+from birdcage.base.text import clean
 from birdcage.skymap.map_file import MapHead, find_map, list_maps, read_map
 from birdcage.skymap.map_request import KIND
 from birdcage.station.access import FaceStation
@@ -43,7 +44,7 @@ class MapFeed:
         self._path, self.beside = path, beside
         self.book = MapBook()
         self.ended: dict[str, str] = {}
-        """How the last task that made a map has ended, by the map's key."""
+        """How the last task that made a map has ended, by the map's key: at its end, too, which may be a time."""
         self.problem = ""
         """Why the file can't be read, as a sentence; empty while all is well."""
         self._reads = False
@@ -74,7 +75,7 @@ class MapFeed:
     def _take(self, event: TaskChanged) -> None:
         task, key = event.task, str(event.task.found.get("map", ""))
         if task.phase is TaskPhase.OVER:
-            self.ended[key] = "" if task.is_done else task.why
+            self.ended[key] = task.why
             self._read_at.pop(key, None)
         else:
             self.ended.pop(key, None)
@@ -105,7 +106,7 @@ class MapFeed:
 
         def read() -> MapHead | str:
             found = None if self._path is None else find_map(self._path, key)
-            return found or "The map is not in the file of recordings any more."
+            return found or "This map was deleted."
 
         self.do_beside(read, tell)
 
@@ -121,6 +122,8 @@ class MapFeed:
                 found = read()
             except (BirdcageError, ValueError) as error:
                 found = str(error)
+            except Exception as error:  # noqa: BLE001 - else whoever waits for it would wait for ever
+                found = f"It failed: {type(error).__name__}, {clean(str(error))}"
             self._soon(partial(told, found))
 
         self.beside(work)
@@ -132,24 +135,20 @@ class MapFeed:
         if self._reads:
             self._wanted = key
             return
-        self._reads = True
-        self.beside(partial(self._work, self._path, key))
+        self._reads, path = True, self._path
 
-    def _work(self, path: Path, key: str) -> None:
-        found, problem = None, ""
-        try:
+        def read() -> MapRead | None:
             head = find_map(path, key)
-            if head is not None:
-                found = MapRead.of(read_map(path, head.number))
-        except StoreError as error:
-            problem = str(error)
-        self._soon(partial(self._have_read, key, found, problem))
+            return None if head is None else MapRead.of(read_map(path, head.number))
 
-    def _have_read(self, key: str, found: MapRead | None, problem: str) -> None:
-        self._reads, self.problem = False, problem
-        if found is not None and self.book.chosen in ("", key):
-            self.book.read(key, found)
-        elif found is None:
+        self.do_beside(read, partial(self._have_read, key))
+
+    def _have_read(self, key: str, found: MapRead | str | None) -> None:
+        self._reads, self.problem = False, found if isinstance(found, str) else ""
+        if isinstance(found, MapRead):
+            if self.book.chosen in ("", key):
+                self.book.read(key, found)
+        else:
             self._read_at.pop(key, None)  # its first direction is not on the disk yet
         wanted, self._wanted = self._wanted, ""
         if wanted:

@@ -12,7 +12,6 @@ from textual.containers import Horizontal, Vertical
 
 from birdcage_tui.control.jog import JogPane
 from birdcage_tui.feeds.signal_feed import STEADY
-from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.level_words import followed_name, way_to
 from birdcage_tui.shown.strip_words import set_words
 from birdcage_tui.shown.view import View
@@ -113,6 +112,7 @@ class SignalPage(Page):
         self._tone.resume()
         if self._maps.has_begun():
             self._show_map()
+            self.call_after_refresh(self._enter_map)  # the page itself may not be seen yet
         column, title = self.query_one("#signal-peak"), "While following" if followed_name(view) else "To the peak"
         if column.border_title != title:
             column.border_title = title
@@ -190,6 +190,11 @@ class SignalPage(Page):
         """Show the map of the sky."""
         self._show_view(MapPane)
 
+    def _enter_map(self) -> None:
+        """Give the focus to a map that has taken the page, where nothing else has it: a step by hand would end it."""
+        if self.shows_map and self.screen.focused is None and self.scope in self.host.view().scopes:
+            self.screen.set_focus(self.query_one(MapPane))
+
     def _switch_whole(self) -> None:
         """Give the page to the map alone, or take that back where it has it."""
         self._whole = not self.shows_whole_map
@@ -262,10 +267,9 @@ class SignalPage(Page):
             self.host.say(self.host.signals.tune(read_tuning(values)))
 
     def _mark(self) -> None:
-        view, book = self.host.view(), self.host.signals.book
-        if can_release(view) is None:  # Enter releases what is held before anything else
-            self.host.action_command("release")
+        if self.releases_first():
             return
+        view, book = self.host.view(), self.host.signals.book
         if self.shows_map:
             self._maps.do("map-enter")
             return

@@ -123,6 +123,7 @@ class FrameFeeds:
             sweeps=self.signals.sweeps.shown,
             map=self.maps.book.shown,
             map_ended=self.maps.ended_words,
+            map_trouble=self.maps.problem,
             polarisations=self.signals.polarisations.levels,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,

@@ -11,9 +11,14 @@ from birdcage.skymap.plan import MapPlan
 from birdcage.skymap.sky_map import MapSample, SkyMap
 from birdcage.station.task_state import TaskPhase, TaskState
 
+from birdcage_tui.shown.options import SitePlace
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
+
+SAME_PLACE_DEG = 0.002
+"""Two places no further apart are one: some 200 m, more than a receiver of GPS is off."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -52,7 +57,7 @@ class MapShown:
     loudest: int | None
     """The cell with the greatest value; None before the first."""
     next_cell: int | None
-    """The first of its sequence that was not heard; None once all were."""
+    """The direction that comes next; None once all were heard, or are out of reach."""
 
     @property
     def sky(self) -> SkyMap:
@@ -73,6 +78,13 @@ class MapShown:
     def is_complete(self) -> bool:
         """Whether every direction was heard that the dish can go to."""
         return self.sky.ended is not None or self.heard >= self.plan.cells
+
+    def is_elsewhere(self, place: SitePlace | None) -> bool:
+        """Return whether it was made at another place, so that other trees stood around it; False where unknown."""
+        made = self.sky.place()
+        if made is None or place is None:
+            return False
+        return max(abs(made[0] - place.latitude_deg), abs(made[1] - place.longitude_deg)) > SAME_PLACE_DEG
 
     @property
     def heard_cells(self) -> frozenset[int]:
@@ -100,6 +112,8 @@ class MapBook:
     _tasks: set[int] = field(default_factory=set)
     _rows: dict[str, dict[int, float]] = field(default_factory=dict)
     """What the station has told of a map, by its key and cell."""
+    _aims: dict[str, tuple[int | None, int | None]] = field(default_factory=dict)
+    """The direction under way, as its task tells it, and the last that was heard; by the map's key."""
 
     def take(self, task: TaskState) -> str | None:
         """Take what a task tells. Return the key of a map that the file has to tell more of."""
@@ -111,7 +125,9 @@ class MapBook:
             if task.phase is not TaskPhase.OVER:
                 self.begun += 1
                 self.chosen = ""
-        rows = _rows_of(task)
+        rows, told = _rows_of(task), task.found.get("next")
+        newest = next(reversed(rows), None)
+        self._aims[key] = (int(told) if isinstance(told, int | float) else None, newest)
         self._rows.setdefault(key, {}).update(rows)
         if self.chosen not in ("", key):
             return None
@@ -124,6 +140,21 @@ class MapBook:
     def read(self, key: str, file: MapRead) -> None:
         """Take what the file tells. What the station has told since stays."""
         self._keep(file, key, self._rows.get(key, {}))
+
+    def _next(self, key: str, file: MapRead, missing: NDArray[np.bool_]) -> int | None:
+        """Return the direction under way: by the task's own word, else the next that is `missing` of the sequence.
+
+        What was left out before the newest one is out of reach.
+        """
+        import numpy as np
+
+        told, newest = self._aims.get(key, (None, None))
+        if told is not None and told in file.sequence:
+            return told
+        left = np.flatnonzero(missing)
+        if newest is not None:
+            left = left[left > int(np.argmax(file.sequence == newest))]
+        return int(file.sequence[left[0]]) if len(left) else None
 
     def _keep(self, file: MapRead, key: str, rows: Mapping[int, float]) -> None:
         import numpy as np
@@ -138,7 +169,7 @@ class MapBook:
         span = (float(np.nanmin(flat)), float(np.nanmax(flat))) if heard else None
         loudest = int(np.nanargmax(flat)) if heard else None
         missing = np.isnan(flat[file.sequence])
-        next_cell = int(file.sequence[int(np.argmax(missing))]) if missing.any() else None
+        next_cell = self._next(key, file, missing)
         self.shown = MapShown(key, file, grid, heard, span, loudest, next_cell)
 
 

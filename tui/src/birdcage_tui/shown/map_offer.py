@@ -46,7 +46,7 @@ class MapOffer:
     def words(self) -> tuple[str, ...]:
         """What the point under the cursor says, in parts from the most important on."""
         point = self.point
-        sure = "clear down to here" if point.is_clear else f"trees up to here, ±{point.sigma_deg:.1f}°"
+        sure = "clear down to here" if point.is_clear else f"blocked up to here, ±{point.sigma_deg:.1f}°"
         mark = "accepted" if self.at in self.accepted else "not accepted"
         return (
             f"point {self.at + 1} of {len(self.points)}", f"az {point.az_deg:.1f}° el {point.el_deg:.1f}°", mark, sure,
@@ -54,8 +54,12 @@ class MapOffer:
 
 
 HEADS = (
-    "Horizon proposed. a accepts a point, A all, ← → go on, Enter keeps {}, q leaves",
-    "Horizon: a accepts, A all, Enter keeps {}, q leaves",
+    "Horizon proposed. Arrows choose a point, a accepts it, A all, Enter keeps {}, q discards",
+    "Horizon: a accepts, A all, Enter keeps {}, q discards",
     "a accepts, Enter keeps {}",
 )
 """What the keys do, the longest first; with how many are accepted."""
+AWAY = ("Horizon proposed, {} accepted. i returns to it", "Horizon proposed: i returns to it", "i: horizon")
+"""How to get back to it, while the map does not have the focus: arrows step the dish then."""
+RELEASES = ("Horizon proposed. Enter {} first, and keeps nothing yet", "Horizon: Enter {} first", "Enter {}")
+"""What Enter does in place of keeping it: release, acknowledge or accept, as row 1 says."""

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 
 from birdcage.base.geometry import separation
 from birdcage.skymap.plan import MapFrame
 from birdcage.station.state import Activity
 from birdcage.station.task_state import TaskPhase, TaskState
+from birdcage.station.tasks.words import ended_by
 
 from birdcage_tui.shown.map_book import MapShown, map_task
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.view import YOU, View
 
 SlotPlace = tuple[str, float, float]
 """Name, azimuth and elevation of a satellite of the arc."""
@@ -32,12 +33,36 @@ def state_words(view: View) -> tuple[str, tuple[str, ...]]:
         beyond = shown.plan.cells - shown.heard
         heard = f"{shown.heard} heard, {beyond} out of reach" if beyond else f"all {shown.heard} heard"
         return "good", (f"finished{ended}, {heard}", f"finished{ended}", "finished")
+    brief = f"unfinished, {count}"
+    if view.state.fault is not None:
+        words = f"{brief}. Dish FAULT: Enter acknowledges it first"
+        return "warn-strong", (words, f"{brief}. FAULT: Enter", brief, count)
+    then = "" if _is_pocket(view) else ", then u resumes the map"
     if view.state.held is not None:
-        words = f"HELD at {count}. Enter releases the dish, then u resumes the map"
-        return "warn-strong", (words, f"HELD at {count}: Enter, then u", "HELD")
-    why = "" if view.map_ended is None else view.map_ended.rstrip(".")
-    told = f"interrupted at {count}: {why}. u resumes it" if why else f"interrupted at {count}. u resumes it"
-    return "warn", (told, f"interrupted at {count}. u resumes it", f"{count}, u resumes", count)
+        words = f"{brief}. Dish HELD: Enter releases it"
+        return "warn-strong", (f"{words}{then}", words, f"{brief}. HELD", brief, count)
+    resumes = "" if _is_pocket(view) else ". u resumes it"
+    if view.map_ended == ended_by(YOU):
+        return "warn", (f"paused at {count}{resumes}", f"paused, {count}", count)
+    # Its first sentence says why; what follows tells how many were heard, and how it is resumed, as this line does.
+    why = "" if view.map_ended is None else view.map_ended.partition(". ")[0].rstrip(".")
+    told = f"{brief}: {why}{resumes}" if why else f"{brief}{resumes}"
+    return "warn", (told, f"{brief}{resumes}", brief, count)
+
+
+def enter_first(view: View) -> str:
+    """Return what Enter does before anything else, as row 1 says, too; empty where nothing is in its way."""
+    state = view.state
+    if state.fault is not None:
+        return "acknowledges the fault"
+    if state.held is not None:
+        return "releases the dish"
+    return "accepts the dish's own limits" if state.motion_refused_because else ""
+
+
+def _is_pocket(view: View) -> bool:
+    """Return whether the pocket view is seen, which has no keys of a map but the one that shows it."""
+    return "pocket" in view.scopes
 
 
 def _count(task: TaskState, shown: MapShown | None) -> str:
@@ -55,11 +80,12 @@ def _of_task(view: View, task: TaskState, count: str) -> tuple[str, tuple[str, .
             left_s = left_of(task)
             if left_s is None:
                 return "accent-strong", (f"running, {count}", count)
-            ends = f"ends {clock_words(view.utc + timedelta(seconds=left_s), view.utc)}"
+            ends = _end_words(task, view.utc, left_s)
             left = f"{span_words(left_s)} left"
             brief = f"{count}, {left}"
             told = f"running, {brief}, {ends}"
-            return "accent-strong", (f"{told}. e pauses it", told, f"{brief}, {ends}", brief, count)
+            pauses = () if _is_pocket(view) else (f"{told}. e pauses it",)
+            return "accent-strong", (*pauses, told, f"{brief}, {ends}", brief, count)
         case TaskPhase.WAITING:
             until = "" if task.next_at is None else f" until {clock_words(task.next_at, view.utc)}"
             return "text", (f"waiting{until}, {count} heard", f"waiting{until}", "waiting")
@@ -71,12 +97,28 @@ def _of_task(view: View, task: TaskState, count: str) -> tuple[str, tuple[str, .
             what = "not now" if view.state.not_now else "paused"
             return "warn", (f"{what}: {told}. {count} heard", f"{what}, {count}", what)
         case TaskPhase.INTERRUPTED:
-            if view.state.held is not None:
-                words = f"HELD at {count}: {why}" if why else f"HELD at {count}. Enter releases the dish"
-                return "warn-strong", (words, f"HELD at {count}", "HELD")
-            return "warn", (f"interrupted at {count}: {why}", f"interrupted at {count}", "interrupted")
+            return _interrupted_words(view, count, why)
         case TaskPhase.OVER:
             return "text", (f"{count}. {why}", count)
+
+
+def _interrupted_words(view: View, count: str, why: str) -> tuple[str, tuple[str, ...]]:
+    at = f"HELD at {count}" if view.state.held is not None else f"interrupted at {count}"
+    brief = (at, at.partition(" ")[0])
+    if view.state.fault is not None:
+        return "warn-strong", (f"{at}. Enter acknowledges the fault first", *brief)
+    told = (f"{at}: {why}",) if why else ()
+    if view.state.held is not None:
+        return "warn-strong", (*told, f"{at}. Enter releases the dish, and the map goes on", *brief)
+    return "warn", (*told, *brief)
+
+
+def _end_words(task: TaskState, now: datetime, left_s: float) -> str:
+    """Return when it will be whole; or until when it goes on, where that comes before."""
+    ends, until_s = now + timedelta(seconds=left_s), task.found.get("until_s")
+    if isinstance(until_s, int | float) and until_s < ends.timestamp():
+        return f"pauses {clock_words(datetime.fromtimestamp(until_s, UTC), now)}"
+    return f"ends {clock_words(ends, now)}"
 
 
 def left_of(task: TaskState) -> float | None:
@@ -85,12 +127,14 @@ def left_of(task: TaskState) -> float | None:
     return float(left_s) if isinstance(left_s, int | float) else None
 
 
-def drift_words(task: TaskState | None) -> tuple[str, str]:
+def drift_words(task: TaskState | None, *, decibels: bool) -> tuple[str, str]:
     """Return an ink, and how gain and pointing have drifted by the reference crosses; empty where none were made."""
     if task is None or "gain" not in task.found:
         return "dim", ""
+    value = float(str(task.found["gain"]))
+    gain = f"{value:+.2f} dB" if decibels else f"×{value:.3g}"
     right, up = (task.found.get(name, 0.0) for name in ("right_deg", "up_deg"))
-    words = f"drift: gain {task.found['gain']:.3g}, {right:+.2f}° right, {up:+.2f}° up"
+    words = f"drift: gain {gain}, {right:+.2f}° right, {up:+.2f}° up"
     return ("fault-strong", f"LOST STEPS, {words}") if task.found.get("lost_steps") else ("dim", words)
 
 

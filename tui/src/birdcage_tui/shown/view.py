@@ -132,6 +132,8 @@ class View:
     """The map of the sky that is open; None for none."""
     map_ended: str | None = None
     """How the last task that made it has ended, as a sentence; None while none has in this session."""
+    map_trouble: str = ""
+    """Why the file of maps can't be read, as a sentence; empty while it can."""
     polarisations: Levels = field(default_factory=dict)
     """What the dish's own tuner heard of either polarisation, in turn."""
     signal_trouble: str = ""

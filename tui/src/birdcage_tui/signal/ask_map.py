@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import lru_cache
 
@@ -19,7 +20,7 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.signal.map_marks import slots_over
 from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 
-WORDS = "The dish goes through the region by itself, and listens at rest in each direction. Keep its swing clear."
+WORDS = "The dish moves through the region by itself, and stops in each direction to listen. Keep clear of it."
 SPARE_DEG = 5.0
 """Around the arc, in the region that is offered."""
 AROUND_DEG, MOST_BESIDE_DEG, SIDE_DEG = 5.0, 30.0, 30.0
@@ -31,32 +32,52 @@ REFERENCES = "none, peak, or az el of a strong source"
 EDGE = 1e-9
 
 
-def map_question(view: View) -> FieldsScreen:
-    """Return what is asked before."""
+@dataclass(frozen=True, slots=True)
+class MapTyped:
+    """The lines of the dialog, in their order."""
+
+    azimuth: str
+    elevation: str
+    step: str
+    order: str
+    around: str
+    start: str
+    until: str
+    reference: str
+    details: str
+    quiet: str
+
+
+def map_question(look: Callable[[], View]) -> FieldsScreen:
+    """Return what is asked before; `look` returns what holds as it is called, so that its times are of now."""
+    view = look()
     az, el = usual_region(view)
     rows = (
-        FieldRow("azimuth", az, "from:to in degrees, 350:380 goes through north. Around a target: right of it, -5:5"),
+        FieldRow("azimuth", az, "from:to in degrees, 350:10 goes over north. Around a target: right of it, -5:5"),
         FieldRow("elevation", el, "from:to in degrees. Around a target: above it, -5:5"),
         FieldRow("step, degrees", f"{usual_step_deg(view.state):g}", "between two directions: a third of the beam"),
         FieldRow("order", MapOrder.COARSE.value, "coarse to fine, rows, columns or spiral"),
-        FieldRow("around", "", "sun, moon or a name. Empty: the map stands still"),
+        FieldRow("around", "", "sun, moon or a name. Empty: a fixed region"),
         FieldRow("start", "", "23:00 in UTC. Empty: now"),
-        FieldRow("until", "", "05:30 in UTC. Empty: until it is whole"),
+        FieldRow("until", "", "05:30 in UTC. Empty: until it is complete"),
         FieldRow("reference", "none", f"{REFERENCES}. Each hour it shows drift and lost steps"),
-        FieldRow("SNR and lock", "no", "yes: read in each direction, too, which takes longer"),
+        FieldRow("SNR and lock", "no", "yes: read in each direction too (slower)"),
         FieldRow("quiet", "no", "yes: the dish turns slowly"),
     )  # fmt: skip
 
     def check(values: Values) -> str:
         try:
-            request_of(view, values)
+            request_of(look(), values)
         except ValueError as wrong:
             return str(wrong)
         return ""
 
     @lru_cache(maxsize=1)  # each field tells the same lines as the dialog opens
+    def read_at(values: Values, _minute: float) -> str:
+        return told(look(), values)
+
     def read(values: Values) -> str:
-        return told(view, values)
+        return read_at(values, look().utc.timestamp() // 60.0)
 
     return FieldsScreen("Map the sky", WORDS, rows, check, read=read, enter="Enter begins")
 
@@ -86,29 +107,27 @@ def _up(deg: float) -> float:
     return math.ceil(deg / 5.0) * 5.0
 
 
-def target_of(values: Values) -> str:
-    """Return what the map is to move with; empty for a map that stands still."""
-    return " ".join(values[4].split())
-
-
 def request_of(view: View, values: Values) -> MapRequest:
     """Return the map that is asked for, without the path of its target. ValueError says what to type instead."""
-    around = target_of(values)
+    typed = MapTyped(*values)
+    around = " ".join(typed.around.split())
     frame = MapFrame.TARGET if around else MapFrame.AZEL
-    (x_low, x_high), (y_low, y_high) = _span("Azimuth", values[0]), _span("Elevation", values[1])
-    order = values[3].strip().lower()
+    (x_low, x_high), (y_low, y_high) = _span("Azimuth", typed.azimuth), _span("Elevation", typed.elevation)
+    if x_high < x_low and not around:
+        x_high += 360.0  # over north: 350:10
+    order = typed.order.strip().lower()
     if order not in list(MapOrder):
         raise ValueError(f"Order is {order!r}. Type coarse, rows, columns or spiral.")
     if around and max(map(abs, (x_low, x_high, y_low, y_high))) > MOST_BESIDE_DEG:
         raise ValueError(f"Around a target both spans are degrees beside it. Type -{AROUND_DEG:g}:{AROUND_DEG:g}.")
     if around and view.settings.place is None:
         raise ValueError(NO_LOCATION)
-    step_deg = _number("Step", values[2], "Type degrees, 0.8.")
+    step_deg = _number("Step", typed.step, "Type degrees: 0.8.")
     plan = within_reach(MapPlan(x_low, x_high, y_low, y_high, step_deg, MapOrder(order), frame), view.state)
-    start_s, until_s = typed_times(values[5], values[6], view.utc.timestamp())
+    start_s, until_s = typed_times(typed.start, typed.until, view.utc.timestamp())
     return MapRequest(
-        plan, target=around, source=view.heard.id, details=_is_yes("SNR and lock", values[8]), start_s=start_s,
-        until_s=until_s, reference=_reference(view, values[7]), quiet=_is_yes("Quiet", values[9]),
+        plan, target=around, source=view.heard.id, details=_is_yes("SNR and lock", typed.details), start_s=start_s,
+        until_s=until_s, reference=_reference(view, typed.reference), quiet=_is_yes("Quiet", typed.quiet),
     )  # fmt: skip
 
 
@@ -127,9 +146,10 @@ def told(view: View, values: Values) -> str:
     if request.until_s and ends_s > request.until_s:
         part = (request.until_s - begin_s) / much.seconds
         words += f" At {_clock(request.until_s, now_s)} it pauses: {part:.0%} is heard then."
-    typed = _span("Elevation", values[1])
+    low, high = _span("Elevation", MapTyped(*values).elevation)
     plan = request.plan
-    if plan.frame is MapFrame.AZEL and (plan.y_low_deg > typed[0] + EDGE or typed[1] - plan.y_high_deg > plan.step_deg):
+    cut = plan.y_low_deg > low + EDGE or high - plan.y_high_deg > plan.row_step_deg
+    if plan.frame is MapFrame.AZEL and cut:
         words += f" In reach: elevation {plan.y_low_deg:g} to {plan.y_high_deg:g}°."
     return words
 
@@ -142,7 +162,7 @@ def estimated(view: View, request: MapRequest, heard: frozenset[int] = frozenset
         return estimate(request, view.state, dwell_s=dwell_s, heard=heard)
     rows = max(MOST_COUNTED // plan.columns, 1)
     columns = min(plan.columns, MOST_COUNTED)
-    part = replace(plan, y_high_deg=plan.y_low_deg + (rows - 1) * plan.step_deg,
+    part = replace(plan, y_high_deg=plan.y_low_deg + (rows - 1) * plan.row_step_deg,
                    x_high_deg=plan.x_low_deg + (columns - 1) * plan.step_deg)  # fmt: skip
     left = plan.cells - len(heard)
     much = estimate(replace(request, plan=part), view.state, dwell_s=dwell_s)

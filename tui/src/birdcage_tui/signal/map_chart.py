@@ -36,7 +36,7 @@ class MapChart:
     @property
     def low_deg(self) -> float:
         """The lower edge, half a step under the lowest row."""
-        return self.plan.y_low_deg - self.plan.step_deg / 2.0
+        return self.plan.y_low_deg - self.plan.row_step_deg / 2.0
 
     @property
     def wide_deg(self) -> float:
@@ -46,7 +46,7 @@ class MapChart:
     @property
     def tall_deg(self) -> float:
         """From the lower edge to the upper one."""
-        return self.plan.rows * self.plan.step_deg
+        return self.plan.rows * self.plan.row_step_deg
 
     def unrolled(self, az_deg: float) -> float:
         """Return an azimuth as the map counts it, which may be beyond 360: the nearest to its middle."""

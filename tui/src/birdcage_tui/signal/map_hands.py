@@ -13,19 +13,20 @@ from birdcage.skymap.map_request import KIND, MapRequest, again
 from birdcage.skymap.plan import MapFrame
 from birdcage.station.requests import BeginTask, EndMotion
 
-from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.map_book import map_task
+from birdcage_tui.shown.map_words import clock_words
 from birdcage_tui.shown.view import YOU
 from birdcage_tui.signal.ask_map import estimated, map_question, request_of, target_path
 from birdcage_tui.signal.map_inks import NIGHT, next_colours
 from birdcage_tui.signal.map_list import maps_question, title_of
-from birdcage_tui.signal.map_pane import MapPane
 from birdcage_tui.signal.map_teach import MapTeach
+from birdcage_tui.signal.map_work import NO_MAP, MapWork
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.fields_screen import Values
 
 if TYPE_CHECKING:
-    from birdcage_tui.feeds.app_host import AppHost
+    from birdcage.station.state import StopReport
+
     from birdcage_tui.widgets.page import Page
 
 TargetPath = tuple[str, tuple[tuple[float, ...], ...]]
@@ -33,26 +34,19 @@ TargetPath = tuple[str, tuple[tuple[float, ...], ...]]
 SPARE, SPARE_S = 1.5, 3600.0
 """So much longer than the estimate the way of a target is known; then the map pauses, and u finds it anew."""
 CLEAR = "Keep its swing clear."
-NONE = "No map is open. M lists those that are kept, m begins one."
-PAUSED = "The map is paused. u resumes it at any time; the program may end meanwhile."
+PAUSED = "Map paused. u resumes it, even after a restart."
+STOPPED = "STOP came first. No map was begun."
 
 
-class MapHands:
+class MapHands(MapWork):
     """Begins, ends, opens and looks at maps; `page` is where they are seen."""
 
     def __init__(self, page: Page, show: Callable[[], object], switch: Callable[[], object]) -> None:
         """`show`: shows the map on the page; `switch`: gives it the page alone, or takes that back."""
-        self._page, self._show, self._switch = page, show, switch
+        super().__init__(page)
+        self._show, self._switch = show, switch
         self._begun = 0
-        self._teach = MapTeach(page)
-
-    @property
-    def _host(self) -> AppHost:
-        return self._page.host
-
-    @property
-    def _pane(self) -> MapPane:
-        return self._page.query_one(MapPane)
+        self._teach = MapTeach(page, show)
 
     def has_begun(self) -> bool:
         """Return whether a map has begun since this was asked last."""
@@ -63,7 +57,7 @@ class MapHands:
         """Carry out a command; False for one that is none of the map's."""
         match command:
             case "map-begin":
-                self._page.app.push_screen(map_question(self._host.view()), self._begin)
+                self._page.app.push_screen(map_question(self._host.view), self._begin)
             case "map-resume":
                 self._resume()
             case "map-list":
@@ -112,8 +106,14 @@ class MapHands:
         begin_s = request.start_s or view.utc.timestamp()
         length_s = (request.until_s or begin_s + lasts_s * SPARE + SPARE_S) - begin_s
 
+        way, stopped = self._host.begin_way(), view.state.last_stop
+
         def ready(found: TargetPath | str) -> None:
-            if isinstance(found, str):
+            way.set_result(None)
+            now = self._host.view().state
+            if now.held is not None or _is_another(stopped, now.last_stop):
+                self._host.say(STOPPED)
+            elif isinstance(found, str):
                 self._host.say(found)
             else:
                 name, path = found
@@ -124,14 +124,14 @@ class MapHands:
 
     def _ask(self, request: MapRequest, words: str) -> None:
         self._host.ask(BeginTask(KIND, request.values(), YOU))
-        when = f"{datetime.fromtimestamp(request.start_s, UTC):%H:%M}Z" if request.start_s else "now"
+        when = f" {_clock(request.start_s, self._host.view().utc)}" if request.start_s else ""
         self._show()
-        self._host.say(f"{words} {when}. Space stops the dish, e pauses.")
+        self._host.say(f"{words}{when}. Space: STOP. e: pause.")
 
     def _resume(self) -> None:
         shown = self._host.view().map
         if shown is None:
-            self._host.say(NONE)
+            self._host.say(NO_MAP)
         elif shown.is_complete:
             self._host.say("This map is finished. m begins another one.")
         else:
@@ -141,6 +141,9 @@ class MapHands:
         shown, view = self._host.view().map, self._host.view()
         if isinstance(head, str):
             self._host.say(head)
+            return
+        if not self._is_free:
+            self._host.say("The map is ready to resume. u on F3 asks.")
             return
         request = again(head)
         heard = frozenset() if shown is None or shown.key != head.key else shown.heard_cells
@@ -152,13 +155,16 @@ class MapHands:
                 self._send(request, much.seconds, "The map goes on")
 
         words = f"{title_of(head)}: {much.words} left. The dish goes on at the next direction not heard yet. {CLEAR}"
-        self._page.app.push_screen(QuestionScreen("Resume the map", words, "area is clear: resume"), answered)
+        question = QuestionScreen("Resume the map", words, "area is clear: resume", by_itself=True)
+        self._page.app.push_screen(question, answered)
 
     def _choose(self, found: Sequence[MapHead] | str) -> None:
         if isinstance(found, str):
             self._host.say(found)
         elif not found:
             self._host.say("No maps are kept yet. m begins one.")
+        elif not self._is_free:
+            self._host.say("The list of maps is ready. M on F3 shows it.")
         else:
             task, shown = map_task(self._host.view().state.tasks), self._host.maps.book.shown
             under_way = "" if task is None else str(task.found.get("map", ""))
@@ -179,7 +185,7 @@ class MapHands:
     def _enter(self) -> None:
         self._show()
         if self._host.view().map is None:
-            self._host.say(NONE)
+            self._host.say(NO_MAP)
         elif self._pane.has_focus:
             self._pane.leave()
         else:
@@ -211,12 +217,24 @@ class MapHands:
 
     def _point(self) -> None:
         """Offer the direction under the cursor, or release what is held first."""
-        shown = self._host.view().map
-        if can_release(self._host.view()) is None:
-            self._host.action_command("release")
+        if self._page.releases_first():
             return
+        shown = self._host.view().map
         at = None if shown is None else self._pane.direction(shown)
-        if at is None:
-            self._host.say("Where that is now is unknown: the map moves with its target.")
-        else:
+        if shown is None:
+            self._host.say(NO_MAP)
+        elif at is not None:
             self._host.open_goto(f"{at[0]:.2f} {at[1]:.2f}")
+        elif shown.plan.frame is MapFrame.TARGET:
+            self._host.say("A map around a target has no direction to point at: it moves with the target.")
+        else:
+            self._host.say("Nothing is heard yet, so the cursor is nowhere. Arrows put it into the map.")
+
+
+def _is_another(before: StopReport | None, now: StopReport | None) -> bool:
+    """Return whether a STOP has come since; more may have become known of the one before."""
+    return now is not None and (before is None or now.at != before.at)
+
+
+def _clock(at_s: float, now: datetime) -> str:
+    return clock_words(datetime.fromtimestamp(at_s, UTC), now)

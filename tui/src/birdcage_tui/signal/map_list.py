@@ -33,7 +33,7 @@ def is_whole(head: MapHead) -> bool:
 def _row(head: MapHead, shown: str, under_way: str) -> ChoiceRow:
     demo = "DEMO  " if head.demo else ""
     first = f"{head.number:>3}  {head.begun:%Y-%m-%d %H:%M}Z  {demo}{title_of(head)}, every {head.plan.step_deg:g}°"
-    state = "under way" if head.key == under_way else "finished" if is_whole(head) else "unfinished"
+    state = "running" if head.key == under_way else "finished" if is_whole(head) else "unfinished"
     count = f"{head.heard}" if is_whole(head) else f"{head.heard} of {head.plan.cells}"
     span = "" if head.low is None or head.high is None else f", {head.low:.4g} to {head.high:.4g} {head.unit}"
     return ChoiceRow(head.key, first, f"     {state}, {count} directions{span}, {head.source}", head.key == shown)

@@ -23,6 +23,7 @@ def draw_offer(overlay: MapOverlay, chart: MapChart, offer: MapOffer) -> None:
     x, y = spots[offer.at]
     overlay.put(int(x), int(y), CURSOR, "target-strong")
     canvas = Braille(chart.width, chart.height)
-    for (left, low), (right, high) in pairwise(spots):
+    # By their columns: on a map over north azimuths begin anew in the middle of the picture.
+    for (left, low), (right, high) in pairwise(sorted(spots)):
         canvas.dotted([(left * 2.0, low * 4.0), (right * 2.0, high * 4.0)], "accent", 3.0)
     overlay.lines(canvas)

@@ -16,8 +16,8 @@ from birdcage_tui.drawing.cell_text import cell_len, shorten, wrap
 from birdcage_tui.drawing.themes import DEFAULT, LOOKS
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.map_book import MapShown, map_task
-from birdcage_tui.shown.map_offer import HEADS, MapOffer
-from birdcage_tui.shown.map_words import drift_words, readout, state_words, value_words
+from birdcage_tui.shown.map_offer import AWAY, HEADS, RELEASES, MapOffer
+from birdcage_tui.shown.map_words import drift_words, enter_first, readout, state_words, value_words
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.view import View
 from birdcage_tui.signal.map_cuts import draw_column_cut, draw_row_cut
@@ -34,6 +34,8 @@ from birdcage_tui.widgets.pane import Pane
 EMPTY = "No map yet. m maps the sky, M lists the maps that are kept."
 LOADING = "The map begins with its first direction."
 NO_ROOM = "Too small for a map."
+TROUBLE = "file not read"
+"""Of a map whose file can't be read, where there is no room to say why."""
 NEXT = "□"
 LEGEND = "◆ satellite  ─ horizon  ·· Sun  ◉ dish, beam  □ next"
 MOVES = {"map-left": (-1, 0), "map-right": (1, 0), "map-up": (0, 1), "map-down": (0, -1), "map-far-left": (-10, 0),
@@ -79,7 +81,12 @@ class MapPane(Pane, can_focus=True):
     @property
     def scope(self) -> str:
         """What its commands have in `where`."""
-        return "map" if self.offer is None else "map-offer"
+        return "map" if self.offered is None else "map-offer"
+
+    @property
+    def offered(self) -> MapOffer | None:
+        """The proposed horizon while keys go to it: without the focus arrows step the dish, so it is not drawn."""
+        return self.offer if self.screen.focused is self else None
 
     def do(self, command: str) -> bool:
         """Move the cursor; the page does the rest."""
@@ -117,9 +124,8 @@ class MapPane(Pane, can_focus=True):
             return
         start = self.cursor(shown)
         row, column = divmod(0 if start is None else start, shown.plan.columns)
-        if self._cell is not None or start is None or self.has_focus:
-            column = min(max(column + right, 0), shown.plan.columns - 1)
-            row = min(max(row + up, 0), shown.plan.rows - 1)
+        column = min(max(column + right, 0), shown.plan.columns - 1)
+        row = min(max(row + up, 0), shown.plan.rows - 1)
         self._cell = row * shown.plan.columns + column
         cast(AppHost, self.app).paint()
 
@@ -132,7 +138,7 @@ class MapPane(Pane, can_focus=True):
         self._layout = None
         self._entitle(shown)
         if shown is None:
-            told = EMPTY if map_task(view.state.tasks) is None else LOADING
+            told = view.map_trouble or (EMPTY if map_task(view.state.tasks) is None else LOADING)
             if words[0]:
                 cells.put(1, 0, shorten(words[0], cells.width - 2), ink)
             for row, line in enumerate(wrap(told, max(cells.width - 2, 10)), int(bool(words[0]))):
@@ -154,10 +160,17 @@ class MapPane(Pane, can_focus=True):
         _bar(cells, layout, shown, plain=plain)
         if at is not None:
             self._at(cells, layout, shown, at)
-        if self.offer is not None:
-            _offered(cells, self.offer)
+        if (offer := self.offered) is not None:
+            _offered(cells, offer)
             return
-        _bottom(cells, shown, at, self._picture.slot_places(place), focused=self.has_focus or self._cell is not None)
+        _bottom(cells, shown, at, self._picture.slot_places(place), self._hint(view), chosen=self._cell is not None)
+
+    def _hint(self, view: View) -> str:
+        """Return how the cursor gets the arrows, and what they do until then."""
+        if self.has_focus or not self.can_focus:
+            return ""
+        enters = f"{BY_NAME['map-enter'].shown}: cursor"
+        return f"arrows step the dish and end the map, {enters}" if _runs(view) else enters
 
     def _entitle(self, shown: MapShown | None) -> None:
         """Tell in the frame what it is a map of."""
@@ -174,30 +187,42 @@ class MapPane(Pane, can_focus=True):
     def _head(self, cells: Cells, shown: MapShown, ink: str, words: tuple[str, ...]) -> None:
         room = cells.width - 2
         if self.offer is not None:
-            ink, words = "accent-strong", tuple(each.format(len(self.offer.accepted)) for each in HEADS)
+            ink, words = "accent-strong", self._offer_heads(self.offer)
         told = next((each for each in words if cell_len(each) <= room), shorten(words[-1], room))
         x = cells.put(1, 0, told, ink)
         aside = [("dim", f"{shown.sky.about.get('source_label') or shown.sky.source}, {shown.sky.unit}")]
-        ink, drift = drift_words(None if self.view is None else map_task(self.view.state.tasks, shown.key))
+        ink, drift = drift_words(
+            None if self.view is None else map_task(self.view.state.tasks, shown.key), decibels=shown.sky.decibels
+        )
         if drift:
             aside.insert(0, (ink, drift))
+        if self.view is not None and self.view.map_trouble:
+            aside = [("fault-strong", self.view.map_trouble), ("fault-strong", TROUBLE)]
         for ink, each in aside:
             if x + cell_len(each) + 3 <= cells.width:
                 cells.right(cells.width - 1, 0, each, ink)
                 break
 
+    def _offer_heads(self, offer: MapOffer) -> tuple[str, ...]:
+        """Return what the keys do to it now, the longest first."""
+        if self.offered is None:
+            return tuple(each.format(len(offer.accepted)) for each in AWAY)
+        if self.view is not None and (releases := enter_first(self.view)):
+            return tuple(each.format(releases) for each in RELEASES)
+        return tuple(each.format(len(offer.accepted)) for each in HEADS)
+
     def _moving(self, shown: MapShown, layout: MapLayout, view: View, place: SitePlace | None) -> MapOverlay:
         """Draw what is elsewhere in each frame: the Sun, the dish and its beam, the next direction, the cursor."""
         overlay = MapOverlay(layout.chart.width, layout.chart.height)
-        if self.offer is not None:
-            draw_offer(overlay, layout.chart, self.offer)
+        if (offer := self.offered) is not None:
+            draw_offer(overlay, layout.chart, offer)
             return overlay
         chart, task = layout.chart, map_task(view.state.tasks, shown.key)
         if task is not None and place is not None and chart.plan.frame is MapFrame.AZEL:
             spot = chart.spot(*self._picture.sun(place, view.utc))
             if chart.holds(*spot):
                 overlay.put(int(spot[0]), int(spot[1]), SUN_SIGN, "target-strong")
-        if task is not None and task.phase is TaskPhase.RUNNING and shown.next_cell is not None:
+        if _runs(view) and shown.next_cell is not None:
             x, y = chart.spot_of(shown.next_cell)
             overlay.put(int(x), int(y), NEXT, "accent-strong")
         position = view.state.position
@@ -248,7 +273,7 @@ class MapPane(Pane, can_focus=True):
         """Esc leaves the map (the app has stopped the dish first, if it could move)."""
         if event.key == "escape":
             event.stop()
-            if self.offer is not None:
+            if self.offered is not None:
                 self.withdraw()
             else:
                 self.leave()
@@ -256,7 +281,7 @@ class MapPane(Pane, can_focus=True):
     def withdraw(self) -> None:
         """Take the proposed horizon off the map; nothing is kept."""
         self.offer = None
-        cast(AppHost, self.app).say("The proposed horizon is gone. Nothing was kept.")
+        cast(AppHost, self.app).say("Proposal discarded. The horizon is unchanged.")
         cast(AppHost, self.app).paint()
 
     def leave(self) -> None:
@@ -329,20 +354,26 @@ def _offered(cells: Cells, offer: MapOffer) -> None:
         x = cells.put(x, cells.height - 1, each, "strong" if index else "text") + 2
 
 
+def _runs(view: View) -> bool:
+    """Return whether the map that is shown is being made, so that a step by hand would end it."""
+    task = None if view.map is None else map_task(view.state.tasks, view.map.key)
+    return task is not None and task.phase is TaskPhase.RUNNING
+
+
 def _bottom(
-    cells: Cells, shown: MapShown, at: int | None, slots: tuple[tuple[str, float, float], ...], *, focused: bool
+    cells: Cells, shown: MapShown, at: int | None, slots: tuple[tuple[str, float, float], ...], hint: str, *,
+    chosen: bool,
 ) -> None:  # fmt: skip
     """Write what was heard at the cursor; at first at the loudest direction."""
     y = cells.height - 1
     if at is None:
         return
     x = 1
-    if not focused:
+    if not chosen:
         x = cells.put(x, y, "loudest", "dim") + 1
     for index, each in enumerate(readout(shown, at, slots, brief=cells.width < SMALL[0])):
         if x + cell_len(each) > cells.width:
             break
         x = cells.put(x, y, each, "strong" if index < 2 else "text") + 2
-    hint = "" if focused else f"{BY_NAME['map-enter'].shown}: cursor"
     if hint and x + cell_len(hint) + 1 <= cells.width:
         cells.right(cells.width - 1, y, hint, "dim")

@@ -49,10 +49,11 @@ class MapPicture:
 
     def _marks_for(self, shown: MapShown, chart: MapChart, view: View, place: SitePlace | None) -> MapOverlay:
         when, beam_deg = _when(shown, view), _beam_deg(shown, view)
-        now = (chart, place, view.horizon.mask, beam_deg, when.timestamp() // SUN_KEPT_S)
+        mask = HorizonMask() if shown.is_elsewhere(view.settings.place) else view.horizon.mask
+        now = (chart, place, mask, beam_deg, when.timestamp() // SUN_KEPT_S)
         if self._marked != now:
             self._marked, self._marks = now, MapOverlay(chart.width, chart.height)
-            draw_horizon(self._marks, chart, view.horizon.mask)
+            draw_horizon(self._marks, chart, mask)
             if chart.plan.frame is MapFrame.TARGET:
                 target = NamedSpot(str(shown.sky.about.get("target") or ""), 0.0, 0.0)
                 draw_names(self._marks, chart, [target], beam_deg)

@@ -9,13 +9,12 @@ from typing import TYPE_CHECKING, TypeVar
 
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import shortest_turn
-from birdcage.sky.horizon import horizon_words
 from birdcage.station.requests import ApplySettings
 
 from birdcage_tui.feeds.calibrate_feed import ABSENT
 from birdcage_tui.shown.map_offer import MapOffer
 from birdcage_tui.shown.view import YOU
-from birdcage_tui.signal.map_pane import MapPane
+from birdcage_tui.signal.map_work import NO_MAP, MapWork
 from birdcage_tui.widgets.choice_screen import ChoiceRow, ChoiceScreen
 from birdcage_tui.widgets.dialogs import QuestionScreen
 
@@ -25,7 +24,6 @@ if TYPE_CHECKING:
     from birdcage.skymap.lesson_inputs import LessonInputs
     from birdcage.skymap.sun_lesson import SunLesson
 
-    from birdcage_tui.feeds.app_host import AppHost
     from birdcage_tui.shown.map_book import MapShown
     from birdcage_tui.widgets.page import Page
 
@@ -36,34 +34,33 @@ ROWS = (
     ChoiceRow("beam", "Beam, system temperature and G/T", "by the Sun, kept with the feed"),
 )
 WORDS = "Nothing is kept before you accept it."
-NO_MAP = "No map is open. M lists those that are kept, m begins one."
 NO_SETTINGS = "This app has no settings to keep it in. Use `birdcage maps` in a terminal."
-NOTHING = "No point is accepted, so the horizon stays as it is."
+NOTHING = "No points accepted. The horizon is unchanged."
+ELSEWHERE = "This map was made at another place. The horizon of the active place is unchanged."
 
 
-class MapTeach:
+class MapTeach(MapWork):
     """`page` is where the map is seen."""
 
-    def __init__(self, page: Page) -> None:
-        self._page = page
+    def __init__(self, page: Page, show: Callable[[], object]) -> None:
+        """`show`: shows the map on the page."""
+        super().__init__(page)
+        self._show = show
         self._at_work = False
-
-    @property
-    def _host(self) -> AppHost:
-        return self._page.host
-
-    @property
-    def _pane(self) -> MapPane:
-        return self._page.query_one(MapPane)
+        self._ready: Callable[[], object] | None = None
+        """Shows a result that came while something else was on the screen."""
 
     def ask(self) -> None:
-        """Ask which lesson."""
-        if self._host.view().map is None:
+        """Ask which lesson; or show the result of one that is ready."""
+        ready, self._ready = self._ready, None
+        if ready is not None:
+            ready()
+        elif self._host.view().map is None:
             self._host.say(NO_MAP)
         elif self._host.settings.lessons is None:
             self._host.say(NO_SETTINGS)
         elif self._at_work:
-            self._host.say("A lesson is being computed. It takes some seconds.")
+            self._host.say("Still computing.")
         else:
             self._page.app.push_screen(ChoiceScreen("What this map teaches", ROWS, WORDS), self._begin)
 
@@ -74,6 +71,8 @@ class MapTeach:
             return
         inputs = partial(lessons.inputs, shown.sky, view.state.beam)
         match which:
+            case "horizon" if shown.is_elsewhere(self._host.settings.place):
+                self._host.say(ELSEWHERE)
             case "horizon":
                 self._compute(lambda: inputs().horizon(), partial(self._offer, shown))
             case "north":
@@ -94,8 +93,11 @@ class MapTeach:
             self._at_work = False
             if isinstance(found, str):
                 self._host.say(found)
-            else:
+            elif self._is_free:
                 tell(found)
+            else:
+                self._ready = partial(tell, found)
+                self._host.say("What the map teaches is ready. y on F3 shows it.")
 
         self._host.maps.do_beside(work, told)
 
@@ -110,33 +112,33 @@ class MapTeach:
         if now is None or now.key != shown.key:
             self._host.say("Another map is shown now, so its horizon is not proposed.")
             return
+        self._show()
         self._pane.offer = MapOffer(shown.key, found.points)
-        self._pane.focus()
-        self._host.say(f"{len(found.points)} points proposed. a accepts one, A all, Enter keeps them.")
+        self._page.screen.set_focus(self._pane)
+        self._host.say(f"{len(found.points)} points proposed. The head line of the map names the keys.")
         self._host.paint()
 
     def keep_horizon(self) -> None:
-        """Put the points that were accepted into the horizon of the place."""
-        from birdcage.skymap.horizon_accepted import with_accepted
-
+        """Put the points that were accepted into the horizon of the place, or release what is held first."""
+        if self._page.releases_first():
+            return
         offer, shown = self._pane.offer, self._host.view().map
         if offer is None or shown is None or shown.key != offer.key:
             return
         if not offer.accepted:
             self._host.say(NOTHING)
             return
-        why = self._why_not_kept(shown)
+        why = ELSEWHERE if shown.is_elsewhere(self._host.settings.place) else self._why_not_kept(shown)
         if why:
             self._host.say(why)
             return
-        horizon = self._host.horizon
         try:
-            horizon.draw(with_accepted(horizon.mask, offer.points, offer.accepted))
+            words = self._host.horizon.accept(offer.points, offer.accepted)
         except BirdcageError as wrong:
             self._host.say(str(wrong))
             return
         self._pane.offer = None
-        self._host.say(f"Saved: {horizon_words(horizon.mask.points)}. z on F2 takes it back.")
+        self._host.say(words)
         self._host.paint()
 
     # North and tilt.
@@ -162,7 +164,8 @@ class MapTeach:
             self._host.say(f"{len(peaks)} peaks handed to Calibrate. F8 C shows the fit; a applies it.")
 
         yes = f"hand {len(peaks)} peaks to Calibrate"
-        self._page.app.push_screen(QuestionScreen("North and tilt by the arc", words, yes), answered)
+        question = QuestionScreen("North and tilt by the arc", words, yes, by_itself=True)
+        self._page.app.push_screen(question, answered)
 
     # Beam and noise.
 
@@ -188,7 +191,8 @@ class MapTeach:
             self._host.say(words)
 
         yes = f"keep beam and noise with the feed {inputs.feed_name}"
-        self._page.app.push_screen(QuestionScreen("Beam and noise by the Sun", "\n".join(lines), yes), answered)
+        question = QuestionScreen("Beam and noise by the Sun", "\n".join(lines), yes, by_itself=True)
+        self._page.app.push_screen(question, answered)
 
 
 def north_words(found: ArcLesson) -> str:

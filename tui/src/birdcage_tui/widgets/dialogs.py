@@ -76,6 +76,8 @@ class Dialog(ModalScreen[Found], Layer[Found]):
 
 
 DECLINE = "do nothing"
+TAKEN_IN_S = 1.0
+"""So long after a question came by itself `y` is a key for what was there before, and no answer."""
 
 
 class AnswerRow(Static):
@@ -105,13 +107,17 @@ class AnswerRow(Static):
 
 
 class QuestionScreen(Dialog[bool]):
-    """Asks once, in words that name the consequence. `y` does it; Esc, n or Enter do not."""
+    """Asks once, in words that name the consequence. `y` does it; Esc, n or Enter do not.
+
+    `by_itself`: it may come up while a person presses keys, and no key has asked for it just before.
+    """
 
     BINDINGS = [("y", "answer(True)", "yes"), ("escape,n,enter", "answer(False)", "no")]  # noqa: RUF012
 
-    def __init__(self, title: str, words: str, yes: str) -> None:
+    def __init__(self, title: str, words: str, yes: str, *, by_itself: bool = False) -> None:
         super().__init__()
         self._title, self._words, self._yes = title, words, yes
+        self._by_itself, self._came_at = by_itself, 0.0
 
     def compose(self) -> ComposeResult:
         """The words, and both answers."""
@@ -128,6 +134,7 @@ class QuestionScreen(Dialog[bool]):
         """Let the arrows scroll words that are longer than the screen."""
         super().on_mount()
         self.query_one(VerticalScroll).focus()
+        self._came_at = cast(AppHost, self.app).view().now
 
     def show(self, view: View) -> None:
         """Name the key that declines: Esc stops the dish while it moves or may move."""
@@ -141,5 +148,7 @@ class QuestionScreen(Dialog[bool]):
         self.dismiss(answer.yes)
 
     def action_answer(self, yes: bool) -> None:
-        """Close with the answer."""
-        self.dismiss(yes)
+        """Close with the answer, unless it came too early to be one."""
+        early = cast(AppHost, self.app).view().now - self._came_at < TAKEN_IN_S
+        if not (yes and self._by_itself and early):
+            self.dismiss(yes)

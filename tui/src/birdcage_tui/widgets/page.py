@@ -8,6 +8,7 @@ from textual.containers import Container
 from textual.widget import Widget
 
 from birdcage_tui.feeds.app_host import AppHost
+from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
@@ -42,6 +43,13 @@ class Page(Container):
     def part(self) -> Widget:
         """What of it is seen, and says in `HELP` what it is for."""
         return self
+
+    def releases_first(self) -> bool:
+        """Release what is held, or acknowledge a fault, before Enter does anything else; return whether it did."""
+        if can_release(self.host.view()) is not None:
+            return False
+        self.host.action_command("release")
+        return True
 
     def show(self, view: View) -> None:
         """Hand the view to every pane."""

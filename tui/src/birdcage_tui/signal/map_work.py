@@ -1,0 +1,34 @@
+"""What the keys of a map and its lessons share: the page that shows it, and when a dialog may open by itself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage_tui.signal.map_pane import MapPane
+
+if TYPE_CHECKING:
+    from birdcage_tui.feeds.app_host import AppHost
+    from birdcage_tui.widgets.page import Page
+
+NO_MAP = "No map is open. M lists those that are kept, m begins one."
+
+
+class MapWork:
+    """`page` is where the map is seen."""
+
+    def __init__(self, page: Page) -> None:
+        self._page = page
+
+    @property
+    def _host(self) -> AppHost:
+        return self._page.host
+
+    @property
+    def _pane(self) -> MapPane:
+        return self._page.query_one(MapPane)
+
+    @property
+    def _is_free(self) -> bool:
+        """Whether the page is seen, nothing lies over it, and no text is typed: only then may a dialog open late."""
+        view = self._host.view()
+        return len(self._page.app.screen_stack) == 1 and self._page.scope in view.scopes and not view.typing
