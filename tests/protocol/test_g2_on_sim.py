@@ -48,7 +48,11 @@ def test_board_and_raw_levels(g2):
 
 
 def test_switches_and_pins(g2):
-    assert g2.dipswitch.read() == {"dip_switches": "0xffffff01", "dip_code": 101}
+    assert g2.dipswitch.read() == {
+        "dip_switches": "0xffffff01",
+        "dip_code": 101,
+        "dip_meaning": "all switches up (off); code 101: DISH at 110, 119 and 129° west",
+    }
     pins = g2.gpio.registers()
     assert pins["E29"] is None
     assert pins["D11"] == 1

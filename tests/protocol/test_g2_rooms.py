@@ -31,7 +31,10 @@ VALUES = [
     ("adc", "rssi", "RSSI: 235 (12 bits)", lambda g: g.adc.rssi_counts(), 235),
     (
         "dipswitch", "dipswitch", "val:ffffff01\napp_dipswitch:101",
-        lambda g: g.dipswitch.read(), {"dip_switches": "0xffffff01", "dip_code": 101},
+        lambda g: g.dipswitch.read(), {
+            "dip_switches": "0xffffff01", "dip_code": 101,
+            "dip_meaning": "all switches up (off); code 101: DISH at 110, 119 and 129° west",
+        },
     ),
     ("eeprom", "ee 3", "Index:3 Read value = 0", lambda g: g.eeprom.read(3), 0),
     ("eeprom", "ee 3", "Failed to read eeprom index:3 val:65793", lambda g: g.eeprom.read(3), None),

@@ -175,10 +175,13 @@ def test_what_the_sources_disagree_about(terminal):
 def test_a_switch_answers_and_turns(terminal):
     dish = tuner(terminal, "switch_port=1")
     assert ask(dish, "di2rcs") == "Committed switch: 0xF0\r\n"
-    assert ask(dish, "send E0 10 38 F2") == "Tx: E0 10 38 F2\r\n"
-    assert ask(dish, "di2rcs") == "Committed switch: 0xF2\r\n"
-    assert ask(dish, "di2cs 2") == "Committed switch: 0xF1\r\n"
-    assert ask(dish, "send E2 10 38 F3") == "Tx: E2 10 38 F3\r\nRx: E4\r\n"
+    assert ask(dish, "send E0 10 38 F8") == "Tx: E0 10 38 F8\r\n"
+    assert ask(dish, "di2rcs") == "Committed switch: 0xF8\r\n"
+    assert ask(dish, "send E0 10 38 33") == "Tx: E0 10 38 33\r\n"
+    assert ask(dish, "di2rcs") == "Committed switch: 0xF8\r\n", "polarisation and band are no port"
+    assert ask(dish, "di2cs 2") == "Committed switch: 0xF4\r\n"
+    assert ask(dish, "send E2 10 38 08") == "Tx: E2 10 38 08\r\nRx: E4\r\n"
+    assert ask(dish, "di2rcs") == "Committed switch: 0xFC\r\n", "what is not cleared stays"
     for line in ("di2id", "di2stat", "di2sc", "di2conf"):
         assert "RxReplyTimeout" not in ask(dish, line)
     dish.ask("q", "TRK>")

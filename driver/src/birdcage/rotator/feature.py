@@ -33,6 +33,8 @@ END_TV_SEARCH = "end_tv_search"
 """Ends that search while it runs; it begins again at the next power-up."""
 ENABLE_LNA = "enable_lna"
 """Switches the supply of the LNB on, at the coax of the machine's own tuner."""
+DISEQC = "diseqc"
+"""A message to what hangs on the coax of the machine's own tuner, typed in hex (`birdcage.coax`)."""
 POSITION = "position"
 """What faces watch for where a machine points. It is no feature: none may have this id."""
 HEALTH = "health"
@@ -149,7 +151,7 @@ class Feature:
     health: HealthMark | None = None
     """How it tells how well the machine is; None for what does not."""
     note: str = ""
-    """What a person should know who writes it, in sentences."""
+    """What a person should know who reads or writes it, in sentences."""
     read_hazard: str = ""
     """The consequence of reading it, which a person has to agree to; empty for what only tells."""
     page: FeaturePage | None = None

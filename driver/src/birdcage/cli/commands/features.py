@@ -10,7 +10,7 @@ from birdcage.cli import exits
 from birdcage.cli.options import flags, global_options, wanted
 
 _HEAD = ("name", "what", "set", "asked")
-_SHORTEST = 24
+_SHORTEST = 20
 """No cell of what a feature is gets shorter than that."""
 
 

@@ -1,18 +1,17 @@
-"""DiSEqC 2.x, in the tuner's menu (docs/reference/g2-signal.md, *DiSEqC*): LNB and switches on the cable."""
+"""DiSEqC 2.x, in the tuner's menu (docs/reference/g2-signal.md, *DiSEqC*): LNB and switches on the coax."""
 
 from __future__ import annotations
 
 import re
 from typing import ClassVar
 
+from birdcage.coax.messages import LONGEST, read_message
 from birdcage.protocol.g2.reading import END, START, find, only_whole, search
 from birdcage.protocol.g2.room import Room
 
-LONGEST = 6
-"""Bytes of a DiSEqC message that the dish takes."""
-
 _HEX = re.compile(rf"{START}0x([0-9A-Fa-f]{{1,2}}){END}")
 _MS = re.compile(rf"{START}(\d+)\s*ms{END}", re.IGNORECASE)
+_REPLY = re.compile(r"\bRx:?\s+((?:[0-9A-Fa-f]{2}(?:\s+|$))+)")
 _TIMEOUT = re.compile("RxReplyTimeout", re.IGNORECASE)
 _BUS_S = 2.0
 """How long a message and its answer may take beside the time for replies; only a deadline depends on it."""
@@ -23,6 +22,8 @@ class Diseqc(Room):
 
     What an LNB or switch answers is handed on as printed: no source documents its fields. None: nothing that speaks
     DiSEqC 2.x has answered (`RxReplyTimeout`).
+
+    A message moves nothing but a switch, an LNB or a positioner on that coax.
     """
 
     menu: ClassVar[str] = "dvb"
@@ -60,7 +61,7 @@ class Diseqc(Room):
         return self._ask("di2rcs")
 
     def send(self, message: bytes) -> tuple[str, ...] | None:
-        """Send 1 to 6 bytes: `E0 10 38 F0` chooses the first port of a switch. ValueError for more, or none.
+        """Send 1 to 6 bytes: `E0 10 38 F4` chooses the second port of a switch. ValueError for more, or none.
 
         Polarisation or input may change.
         """
@@ -76,3 +77,17 @@ class Diseqc(Room):
         reply = self._run(line)
         named = search(reply, _MS)
         return int(named[1]) if named else only_whole(reply)
+
+
+def answer_in_words(message: bytes, printed: tuple[str, ...] | None) -> str:
+    """Return how a message went, in a line: what was answered, or printed; `printed` is what `Diseqc.send` returns."""
+    sent = f"{message.hex(' ').upper()} sent"
+    if printed is None:
+        return f"{sent}; no answer (RxReplyTimeout)"
+    replies = (match[1] for line in printed if (match := _REPLY.search(line)))
+    reply = next(replies, None)
+    if reply is not None:
+        return f"{sent}; {read_message(bytes.fromhex(reply), message)}"
+    if printed:
+        return f"{sent}; the dish printed: {' / '.join(printed)}"
+    return f"{sent}; nothing was printed" if read_message(message).wants_reply else f"{sent}; no reply wanted"

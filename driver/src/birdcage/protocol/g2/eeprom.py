@@ -15,6 +15,10 @@ _READ = re.compile(rf"Index:\s*(\d+)\s+Read value\s*=\s*([-+]?\d+){END}")
 _UNWRITTEN = re.compile(rf"Failed to read eeprom index:\s*(\d+)\s+val:\s*65793{END}")
 
 
+FIRST_ENTRIES = 16
+"""How many entries the feature `eeprom` shows: how many there are is open."""
+
+
 class Eeprom(Room):
     """Reads entries. Writing and `inv`, which loses one for good, are not here."""
 
@@ -28,3 +32,8 @@ class Eeprom(Room):
         if answered is None or int(answered[1]) != index:
             raise garbage(reply)
         return None if match is None else int(match[2])
+
+    def first(self) -> tuple[str, ...]:
+        """Read the first 16 entries, a line each: `--` for one that was never written."""
+        values = [self.read(index) for index in range(FIRST_ENTRIES)]
+        return tuple(f"{index:2}  {'--' if value is None else value}" for index, value in enumerate(values))

@@ -5,11 +5,16 @@ Source: docs/reference/g2-commands.md, *DVB>* and *PEAK>*; docs/reference/g2-sig
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from birdcage.base.errors import OutOfRange
+from birdcage.coax.messages import typed_message
+from birdcage.protocol.g2.diseqc import answer_in_words
 from birdcage.protocol.g2.feature_rows import FROM_0, Question, counts, in_lines, lines, one, stream, text, told, under
 from birdcage.rotator.feature import (
+    DISEQC,
     ENABLE_LNA,
     EVEN_LEVEL,
     LOCK,
@@ -34,6 +39,10 @@ if TYPE_CHECKING:
 RSSI_READS = 10
 _PAGE = FeaturePage.RECEIVER
 _DIS = Question("dvb", "dis")
+_BUILDS = (
+    "The dish builds the table anew, which takes up to a minute. It hears nothing meanwhile: no STOP reaches it, and "
+    "nothing else is read."
+)
 _TOGGLES = (
     "Each reading switches the LNB supply to 18 V and to 13 V. Which of them stays afterwards is not known. Anything "
     "else on that cable may be damaged."
@@ -55,6 +64,30 @@ def tuned(dish: CarryoutG2Protocol, transponder: int) -> dict[str, Value]:
     """Tune to a transponder: odd ones are sent vertical, at 13 V, even ones horizontal, at 18 V."""
     dish.tuner.select(transponder)
     return {TRANSPONDER: float(transponder)}
+
+
+def messaged(dish: CarryoutG2Protocol, typed: str) -> dict[str, Value]:
+    """Send a message that was typed in hex, and tell how it went. OutOfRange (nothing sent) for what is none."""
+    try:
+        message = typed_message(typed)
+    except ValueError as wrong:
+        raise OutOfRange(f"{wrong} Nothing was sent.") from None
+    return {DISEQC: answer_in_words(message, dish.tuner.diseqc.send(message))}
+
+
+def _answer(printed: tuple[str, ...] | None) -> str:
+    """Return what an LNB or a switch has answered, in a line."""
+    return "no answer" if printed is None else " / ".join(printed)
+
+
+def _asked(line: str, ask: Callable[[CarryoutG2Protocol], tuple[str, ...] | None], name: str, label: str) -> FeatureRow:
+    return one(Question("dvb", line), lambda dish: _answer(ask(dish)), text(name, label))
+
+
+def _table(line: str, name: str, label: str) -> FeatureRow:
+    extended = line == "tablex"
+    row = in_lines(Question("dvb", line), lambda dish: dish.tuner.build_table(extended=extended), name, label)
+    return replace(row, feature=replace(row.feature, read_hazard=_BUILDS))
 
 
 def _polarised(name: str, label: str) -> Feature:
@@ -98,6 +131,8 @@ _CHANNEL = (
           text("polarisation", "Polarisation (H or V)"), lines("channel", "Parameters of the channel, as printed")),
     in_lines(Question("dvb", "freqs", 3), lambda dish: dish.tuner.frequencies(), "frequencies",
              "Frequencies of the tuner, as printed"),
+    _table("table", "transponders", "Table of transponders, as printed"),
+    _table("tablex", "transponders.extended", "Table of transponders with more of each, as printed"),
 )  # fmt: skip
 _LNB = (
     FeatureRow(
@@ -131,6 +166,22 @@ _DISEQC = (
         counts("diseqc_tone_threshold", "DiSEqC threshold of the tone")),
     one(Question("peak", "ts"), lambda dish: dish.peak.switch_status(),
         Feature("switch_status", "Bits of an EchoStar switch, 0 for none", range=Range(0.0, 15.0))),
+    _asked("di2conf", lambda dish: dish.tuner.diseqc.lnb_config(), "lnb_config", "Configuration that the LNB answers"),
+    _asked("di2id", lambda dish: dish.tuner.diseqc.lnb_identity(), "lnb_id", "Identity that the LNB answers"),
+    _asked("di2stat", lambda dish: dish.tuner.diseqc.lnb_status(), "lnb_status", "Status that the LNB answers"),
+    _asked("di2rcs", lambda dish: dish.tuner.diseqc.switch_status(), "committed_switch",
+           "State that the committed switch answers"),
+    FeatureRow(
+        Question("dvb", "send", min_interval_s=0.0).about(Feature(
+            DISEQC, "Message to LNB and switches, 1 to 6 bytes in hex", kind=FeatureKind.TEXT, writer=Writer.AT_ONCE,
+            hazard="This sends a message to what hangs on the coax: polarisation, band or input may change, and a "
+            "positioner may move.",
+            told=False,
+            note="E0 10 38 F4 chooses the second input of a switch. Only what is on the coax of the dish's own tuner "
+            "hears it.",
+        )),
+        write=lambda dish, typed: messaged(dish, str(typed)),
+    ),
 )  # fmt: skip
 
 RECEIVER = (

@@ -9,16 +9,22 @@ number. A number with decimals is degrees, as with `a` and the settings memory; 
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from typing import ClassVar
 
+from birdcage.base.errors import CommandRefused
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, per_axis, search
 from birdcage.protocol.g2.room import Room
+from birdcage.protocol.motors import MOTORS
 from birdcage.protocol.unhomed import is_unhomed
 from birdcage.rotator.feature import Value
 
+GAINS = ("kp", "kv", "ki")
+"""Of a control loop, in the order in which `pid` takes them."""
 FLOOR, CEILING, HOME = "floor", "ceiling", "home.elevation"
 """The features of the firmware's own elevations."""
 
@@ -70,6 +76,32 @@ class Motors(Room):
     def gains(self) -> dict[str, Value]:
         """Read `kp`, `kv` and `ki` of the control loops by axis (`pid`)."""
         return read_gains(self._run("pid"))
+
+    def set_gain(self, axis: str, name: str, value: float) -> dict[str, Value]:
+        """Set one gain of an axis, `kp`, `kv` or `ki`, until the dish restarts (`pid <motor> <Kp> <Kv> <Ki>`).
+
+        The line sets all three: the others are read first, and written as they were. Returns all gains, read back.
+
+        NoReply (garbage, nothing written) where it does not tell all three of that axis, CommandRefused when it shows
+        another value then.
+        """
+        reply = self._run("pid")
+        told = read_gains(reply)
+        before = [told.get(f"{each}.{axis}") for each in GAINS]
+        if None in before:
+            raise garbage(reply)
+        wanted = dict(zip(GAINS, (float(gain) for gain in before if gain is not None), strict=True)) | {name: value}
+        self._run(f"pid {MOTORS[axis]} " + " ".join(f"{gain:g}" for gain in wanted.values()))
+        now = self.gains()
+        for each, gain in wanted.items():
+            shown = now.get(f"{each}.{axis}")
+            if shown is None or not math.isclose(float(shown), gain, rel_tol=1e-4, abs_tol=1e-3):
+                raise CommandRefused(
+                    f"The dish was told {each.capitalize()} {gain:g} for the {axis} and shows "
+                    f"{'none' if shown is None else f'{shown:g}'}.",
+                    reason=Reason.BAD_PARAMETER,
+                )
+        return now
 
     def life(self) -> tuple[str, ...]:
         """Read what use the motors have seen (`life`), as printed."""

@@ -6,7 +6,8 @@ import re
 from typing import ClassVar
 
 from birdcage.console.events import Reply
-from birdcage.protocol.g2.reading import END, START, find, garbage, only_whole, search
+from birdcage.protocol.g2.pin_functions import PORTS, lines_of_port
+from birdcage.protocol.g2.reading import END, START, find, garbage, only_whole, printed, search
 from birdcage.protocol.g2.room import Room
 from birdcage.rotator.feature import Value
 
@@ -17,6 +18,9 @@ _UNKNOWN = re.compile(rf"Unknown bit\s+([A-E]\d{{1,2}}){END}", re.IGNORECASE)
 _RAW = re.compile(rf"(?<!\w)val:\s*(?:0x)?([0-9A-Fa-f]{{8}}){END}")
 _CODE = re.compile(rf"app_dipswitch:\s*(\d+){END}")
 _REGS_S = 5.0
+_ALL_UP = "ffffff01"
+_SATELLITES = {101: "DISH at 110, 119 and 129° west"}
+"""By the code that the firmware makes of the switches (docs/reference/g2-commands.md, *DIPSWITCH>*)."""
 
 
 class Gpio(Room):
@@ -47,17 +51,14 @@ class Gpio(Room):
 
     def registers(self) -> dict[str, int | None]:
         """Read all pins (`regs`: 92, of ports A to E) by name; None for one that the dish calls unknown."""
-        reply = self._regs()
-        text = "\n".join(reply.lines)
-        states: dict[str, int | None] = {m[1]: int(m[2]) for m in _STATE.finditer(text)}
-        states |= {m[1]: None for m in _UNKNOWN.finditer(text)}
-        if not states:
-            raise garbage(reply)
-        return states
+        return _states(self._regs())
 
-    def printed(self) -> tuple[str, ...]:
-        """Read all pins, as printed."""
-        return self._regs().lines
+    def told(self) -> dict[str, Value]:
+        """Read all pins, port by port, with what each is for (`pins.a` to `pins.e`), and as printed (`pins`)."""
+        reply = self._regs()
+        states = _states(reply)
+        ports = (printed(f"pins.{port.lower()}", lines_of_port(port, states)) for port in PORTS)
+        return {name: text for port in ports for name, text in port.items()} | printed("pins", reply.lines)
 
     def _regs(self) -> Reply:
         return self._run("regs", takes_s=_REGS_S)
@@ -71,10 +72,26 @@ class Dipswitches(Room):
     def read(self) -> dict[str, Value]:
         """Read `dip_switches`, the pins as they stand, and `dip_code`, the satellites that the firmware makes of them.
 
-        `0xffffff01` is all up; 101 is DISH 110, 119 and 129 W.
+        `dip_meaning` says in words what is known of both.
         """
         reply = self._run("dipswitch")
-        return {"dip_switches": f"0x{find(reply, _RAW)[1]}", "dip_code": int(find(reply, _CODE)[1])}
+        raw, code = find(reply, _RAW)[1], int(find(reply, _CODE)[1])
+        return {"dip_switches": f"0x{raw}", "dip_code": code, "dip_meaning": _meaning(raw, code)}
+
+
+def _states(reply: Reply) -> dict[str, int | None]:
+    text = "\n".join(reply.lines)
+    states: dict[str, int | None] = {m[1]: int(m[2]) for m in _STATE.finditer(text)}
+    states |= {m[1]: None for m in _UNKNOWN.finditer(text)}
+    if not states:
+        raise garbage(reply)
+    return states
+
+
+def _meaning(raw: str, code: int) -> str:
+    """Return what pins and code of the DIP switches say, in a line."""
+    pins = "all switches up (off)" if raw.lower() == _ALL_UP else f"pins 0x{raw}, and no source tells which is which"
+    return f"{pins}; code {code}: {_SATELLITES.get(code, 'no source tells its satellites')}"
 
 
 def _checked(pin: str) -> str:

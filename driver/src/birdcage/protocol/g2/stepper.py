@@ -55,6 +55,25 @@ class Stepper(Room):
             )
         return speeds
 
+    def set_max_acceleration(self, motor: int, acceleration_deg_s2: float) -> dict[str, Value]:
+        """Set the greatest acceleration of one motor until the dish restarts (`ma <motor> <ustep/s/ms>`), read it back.
+
+        In deg/s²; the console takes whole microsteps/s/ms, so the nearest is set, at least 1. CommandRefused when it
+        shows another one then.
+        """
+        axis = _AXES[motor]
+        steps = max(1, round(acceleration_deg_s2 / axis.step_deg / 1000.0))
+        self._run(f"ma {motor} {steps}")
+        told = self.max_accelerations()
+        now, wanted = told.get(f"acceleration.{axis.name}"), steps * 1000.0 * axis.step_deg
+        if now is None or abs(float(now) - wanted) > 0.5 * 1000.0 * axis.step_deg:
+            shown = "none" if now is None else f"{float(now):.1f}°/s²"
+            raise CommandRefused(
+                f"The dish was told {wanted:.1f}°/s² for the {axis.name} and shows {shown}.",
+                reason=Reason.BAD_PARAMETER,
+            )
+        return told
+
     def max_accelerations(self) -> dict[str, Value]:
         """Read `acceleration`, the greatest ones (`ma`, in microsteps/s/ms: 44 are 396 deg/s²), by axis."""
         raw = by_motor(self._run("ma"))

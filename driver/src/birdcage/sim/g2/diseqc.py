@@ -1,7 +1,8 @@
 """DiSEqC 2.x in `DVB>`: the bus that the tuner drives on the LNB's cable (docs/reference/g2-signal.md, *DiSEqC*).
 
 Figures, `3 21180544 238 <4.5` and `RxReplyTimeout` with no switch are noted; the lines around them are assumed, as
-is all that a switch (setting `switch_port`) answers.
+is all that a switch (setting `switch_port`) answers. Its port stands in bits 2 and 3, as on the bus
+(docs/reference/diseqc.md, *Switches*).
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ PORTS = 4
 BYTE_S = 0.0135
 """A byte on the bus: eight bits and parity of 1.5 ms."""
 COMMITTED = 0x38
-"""`E0 10 38 Fx` writes the committed switch; F0 to F3 are ports 1 to 4 (noted)."""
+"""`E0 10 38 Fx` writes the committed switch."""
 WANTS_REPLY = frozenset({0xE2, 0xE3})
 ACKNOWLEDGED = "E4"
 
@@ -94,8 +95,11 @@ class DiseqcCommands:
             yield from self._ask("")(args)
 
     def _committed(self, args: list[str]) -> Script:  # noqa: ARG002
-        port = self._board.tuner.switch_port
-        yield from self._exchange(3, f"Committed switch: 0xF{max(port - 1, 0):X}")
+        yield from self._exchange(3, self._stands())
+
+    def _stands(self) -> str:
+        """Return how the committed switch stands."""
+        return f"Committed switch: 0xF{max(self._board.tuner.switch_port - 1, 0) << 2:X}"
 
     def _choose(self, args: list[str]) -> Script:
         port = whole(args[0]) if len(args) == 1 else None
@@ -103,7 +107,7 @@ class DiseqcCommands:
             yield from self._menu.bad_parameter()
         else:
             self._switch_to(port)
-            yield from self._exchange(4, f"Committed switch: 0xF{max(self._board.tuner.switch_port - 1, 0):X}")
+            yield from self._exchange(4, self._stands())
 
     def _switch_to(self, port: int | None) -> None:
         if port is not None and self._board.tuner.switch_port:
@@ -116,12 +120,22 @@ class DiseqcCommands:
             yield from self._menu.bad_parameter()
             return
         yield "Tx: " + " ".join(f"{byte:02X}" for byte in sent) + "\n"
-        if len(sent) == 4 and sent[2] == COMMITTED and 0xF0 <= sent[3] < 0xF0 + PORTS:
-            self._switch_to(sent[3] - 0xF0 + 1)
+        if len(sent) == 4 and sent[2] == COMMITTED:
+            self._switch_to(self._port_by(sent[3]))
         if sent[0] in WANTS_REPLY:
             yield from self._exchange(len(sent), f"Rx: {ACKNOWLEDGED}")
         else:
             yield Pause(self._figures["pretx"] / 1000.0 + len(sent) * BYTE_S)
+
+    def _port_by(self, byte: int) -> int:
+        """Return the port that a byte makes of the present one: bits 2 and 3 set a flag, bits 6 and 7 clear it."""
+        port = self._board.tuner.switch_port - 1
+        for bit, weight in ((2, 1), (3, 2)):
+            if byte >> bit & 1:
+                port |= weight
+            elif byte >> bit + 4 & 1:
+                port &= ~weight
+        return port + 1
 
 
 def _byte(text: str) -> int | None:
