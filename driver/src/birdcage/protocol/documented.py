@@ -98,6 +98,7 @@ class DocumentedRotator(MenuRotator):
     def __init__(self, protocol: FirmwareProtocol) -> None:
         super().__init__(protocol)
         self.raw: RawLines | None = None
+        self.own_settings = None  # what it has goes by a console that is not opened here
         self._facts = _genuine(protocol.model, GENERIC_FACTS)
         self._table = _genuine(protocol.feature_table, GENERIC_FEATURES)
         self._clock: Clock = RealClock()

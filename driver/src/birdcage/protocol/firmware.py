@@ -20,6 +20,7 @@ from birdcage.protocol.raw_aim import aimed
 from birdcage.protocol.unhomed import unreadable
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.readings import settled
 from birdcage.rotator.sweep import SweepOrder, SweptReading
@@ -79,6 +80,11 @@ class FirmwareProtocol(ABC):
     """The documented commands of each menu."""
     help_lines: ClassVar[Mapping[str, tuple[str, ...]]] = {}
     """What brings the help of a menu page by page, where that is not a single `?`."""
+
+    @property
+    def own_settings(self) -> OwnSettings | None:
+        """The settings that it keeps itself; None where no command is known that changes them."""
+        return None
 
     _link: Link | None = None
     _console: Console | None = None

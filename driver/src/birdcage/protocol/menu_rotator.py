@@ -17,6 +17,7 @@ from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import LineStatus
 from birdcage.rotator.sweep import SweepOrder, SweptReading
@@ -42,6 +43,7 @@ class MenuRotator:
         self._table: FeatureTable = protocol.feature_table
         self._hooks = Hooks()
         self.is_simulated = False
+        self.own_settings: OwnSettings | None = protocol.own_settings
 
     @property
     def facts(self) -> Facts:

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
+
+from birdcage.rotator.own_settings import SettingRow
+from birdcage.rotator.setting_values import SettingValue, typed
 
 DISABLE_TRACKER = 20
 MIN_ELEVATION = 101
@@ -21,9 +25,7 @@ def row_label(index: int) -> str:
     return f"NVS {index}"
 
 
-NvsValue = bool | int | float | str
-
-_ROW = re.compile(r"^\s*(\d+)\)\s(.{26})\s*(\S+)\s+(\S+)\s+(\S+)\s*$")
+_ROW = re.compile(r"^\s*(\d{1,6})\)\s(.{26})\s*(\S+)\s+(\S+)\s+(\S+)\s*$", re.ASCII)
 _EDITED = re.compile(r"^\s*(\d+)\)\s+(\S.*?)\s+(\S+)\s+\.\s*(\S+)\s*$")
 
 
@@ -38,17 +40,22 @@ class NvsRow:
     default: str
 
     @property
-    def value(self) -> NvsValue:
+    def row(self) -> SettingRow:
+        """It, as any machine's."""
+        return SettingRow(self.index, self.name, self.current, self.saved, self.default)
+
+    @property
+    def value(self) -> SettingValue:
         """The value in force, typed."""
         return typed(self.current)
 
     @property
-    def saved_value(self) -> NvsValue:
+    def saved_value(self) -> SettingValue:
         """The value in flash, typed: it is in force from the next power cycle on."""
         return typed(self.saved)
 
     @property
-    def default_value(self) -> NvsValue:
+    def default_value(self) -> SettingValue:
         """The factory's value, typed."""
         return typed(self.default)
 
@@ -63,25 +70,6 @@ class NvsEdit:
     after: str
 
 
-def typed(text: str) -> NvsValue:
-    """Return a value as what it is: `TRUE`, `0x00000007`, `200`, `+0`, `65.00`; any other text as it stands."""
-    if text in ("TRUE", "FALSE"):
-        return text == "TRUE"
-    if re.fullmatch(r"0[xX][0-9A-Fa-f]+", text):
-        return int(text, 16)
-    if re.fullmatch(r"[-+]?\d+", text):
-        return int(text)
-    if re.fullmatch(r"[-+]?\d+\.\d+", text):
-        return float(text)
-    return text
-
-
-def same_value(printed: str, given: str) -> bool:
-    """Return whether a dish that was given one text prints the other for it: `1` is `TRUE`, `18` is `18.00`."""
-    one, other = typed(printed), typed(given.upper() if given.upper() in ("TRUE", "FALSE") else given)
-    return one == other
-
-
 def parse_nvs(lines: Iterable[str]) -> dict[int, NvsRow]:
     """Return the rows by index; header, ruler and other lines are passed over."""
     rows = {}
@@ -89,6 +77,14 @@ def parse_nvs(lines: Iterable[str]) -> dict[int, NvsRow]:
         if match:
             rows[int(match[1])] = NvsRow(int(match[1]), match[2].strip(), *match.groups()[2:])
     return rows
+
+
+def parse_once(lines: Iterable[str]) -> dict[int, NvsRow]:
+    """Return the rows as `parse_nvs`, but those whose index is printed twice: which one counts is not known."""
+    found = [match for match in map(_ROW.match, lines) if match]
+    often = Counter(int(match[1]) for match in found)
+    rows = parse_nvs(match[0] for match in found)
+    return {index: row for index, row in rows.items() if often[index] == 1}
 
 
 def parse_edit(lines: Iterable[str]) -> NvsEdit | None:

@@ -13,6 +13,7 @@ from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import MoveKind, Rung
 from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
+from birdcage.rotator.own_settings import SettingKnown
 from birdcage.rotator.sweep import OwnSweep
 from birdcage.rotator.wiring import Adapter, Connector
 
@@ -193,6 +194,10 @@ class Facts:
     search_setting: SearchSetting | None = None
     features: Mapping[str, Feature] = field(default_factory=dict)
     """What it tells and lets be set besides its position, by id; `Rotator.read` and `Rotator.write` do it."""
+    has_own_settings: bool = False
+    """Whether it keeps settings in a memory of its own that can be read and changed: `Rotator.own_settings`."""
+    settings_known: Mapping[int, SettingKnown] = field(default_factory=dict)
+    """What sources tell of the rows of that memory, by index."""
     settings_name: str = "settings"
     """What the machine calls the table of its settings: its backups are named by it."""
     rotctld_name: str = ""

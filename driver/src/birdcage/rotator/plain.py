@@ -11,6 +11,7 @@ from birdcage.base.reason import Reason
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.feature_table import FeatureTable, Stamp, middle_of
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.rotator import LineStatus
 from birdcage.rotator.sweep import SweepOrder, SweptReading
@@ -53,6 +54,7 @@ class PlainRotator:
     clock: Clock
     line: LineStatus
     raw: RawLines | None = None
+    own_settings: OwnSettings | None = None
     is_simulated = False
     printed_deg = 0.01
 

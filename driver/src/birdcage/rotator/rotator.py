@@ -11,6 +11,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Feature, Reading, Value
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopOrder
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Look, Survey, Taken
@@ -67,6 +68,8 @@ class Rotator(Protocol):
     """What is known of all that are like it."""
     raw: RawLines | None
     """The line as a person may use it; None where there is no such thing."""
+    own_settings: OwnSettings | None
+    """The settings that it keeps in its own memory; None where there is no such thing, or no command is known."""
 
     @property
     def is_open(self) -> bool:

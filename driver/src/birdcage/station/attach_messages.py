@@ -48,6 +48,7 @@ from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.held import user_name
 from birdcage.base.text import clean
 from birdcage.rotator.feature import Reading
+from birdcage.rotator.own_settings import SettingsTable, SettingsWritten
 from birdcage.station import requests as ask
 from birdcage.station.feature_report import error_values
 from birdcage.station.json_form import VERSION, check_version, request_from_json, request_types
@@ -173,6 +174,7 @@ def result_shapes() -> Mapping[type, Shape]:
         ask.BeginTask: int, ask.ResumeTask: int, ask.SetSpeed: float, ask.Read: Mapping[str, Reading],
         ask.Set: Reading, ask.Raw: RawReply, ask.ListCommands: tuple[MenuCommand, ...],
         ask.ProbePort: tuple[BaudFinding, ...], ask.SetSearch: Path | None,
+        ask.ReadSettings: SettingsTable, ask.WriteSettings: SettingsWritten, ask.SaveSettings: SettingsTable,
     }  # fmt: skip
     return {kind: shape_of(result) for kind, result in kinds.items()}
 

@@ -24,7 +24,17 @@ from birdcage.station.feature_report import feature_values, may_be_set
 from birdcage.station.json_form import parse
 from birdcage.station.json_lines import CHUNK, LineReader
 from birdcage.station.report import release_report, status_report, stop_report
-from birdcage.station.requests import Read, Release, Set, Stop, Unwatch, Watch
+from birdcage.station.requests import (
+    Read,
+    ReadSettings,
+    Release,
+    SaveSettings,
+    Set,
+    Stop,
+    Unwatch,
+    Watch,
+    WriteSettings,
+)
 from birdcage.station.station import Station
 
 LINE_S = 2.0
@@ -154,7 +164,7 @@ class ControlCaller:
                 if isinstance(outside, Watch):
                     self._watches.add(outside.watcher, self)
                 return self._submit(outside)
-            case Read() | Set():
+            case Read() | Set() | ReadSettings() | WriteSettings() | SaveSettings():
                 return self._submit(request)
             case Attach():
                 raise AssertionError("served by AttachedCaller")
@@ -190,7 +200,9 @@ class ControlCaller:
             problem = ""
         return dict(release_report(before, self._station.state, problem))
 
-    def _submit(self, request: Read | Set | Watch | Unwatch) -> dict[str, object]:
+    def _submit(
+        self, request: Read | Set | ReadSettings | WriteSettings | SaveSettings | Watch | Unwatch
+    ) -> dict[str, object]:
         future = self._station.submit(request)
         try:
             return messages.done(request, future.result(REQUEST_S))
@@ -200,6 +212,8 @@ class ControlCaller:
                 late += " Nothing was sent."
             elif isinstance(request, Set):
                 late += f" {may_be_set(request.feature)}"
+            elif isinstance(request, WriteSettings | SaveSettings):
+                late += " It goes on. `birdcage nvs dump` tells what became of it."
             return messages.refused(NoReply(late))
         except BirdcageError as error:
             return messages.refused(error)

@@ -26,12 +26,23 @@ from typing import Any, get_args
 from birdcage.base.errors import BadMessage, BirdcageError
 from birdcage.base.text import clean
 from birdcage.rotator.feature import Reading
+from birdcage.rotator.own_settings import SettingsTable, SettingsWritten
 from birdcage.station.attach_messages import Attach, Attached, check_name
 from birdcage.station.feature_report import error_values
 from birdcage.station.json_form import VERSION, check_version, request_from_json, to_json
 from birdcage.station.json_shapes import shape_of
 from birdcage.station.json_values import Shape, shown
-from birdcage.station.requests import Read, Release, Set, Stop, Unwatch, Watch
+from birdcage.station.requests import (
+    Read,
+    ReadSettings,
+    Release,
+    SaveSettings,
+    Set,
+    Stop,
+    Unwatch,
+    Watch,
+    WriteSettings,
+)
 
 LONGEST_LINE = 4096
 """Bytes of what is asked."""
@@ -56,13 +67,18 @@ class ListFeatures:
     """Tell what the dish tells and lets be set, as `birdcage features --json` prints it. Asks the dish nothing."""
 
 
-ControlRequest = Stop | HoldDish | Release | TellStatus | ListFeatures | Read | Set | Watch | Unwatch | Attach
+ControlRequest = (
+    Stop | HoldDish | Release | TellStatus | ListFeatures | Read | Set | ReadSettings | WriteSettings | SaveSettings
+    | Watch | Unwatch | Attach
+)  # fmt: skip
 FROM_OUTSIDE: Mapping[str, type] = {each.__name__: each for each in get_args(ControlRequest)}
 """What another program may ask in its first line, by name. None of them is a motion: who wants one attaches."""
 
 
 RESULTS: Mapping[type, Shape] = {
     Read: shape_of(Mapping[str, Reading]), Set: shape_of(Reading), Attach: shape_of(Attached),
+    ReadSettings: shape_of(SettingsTable), WriteSettings: shape_of(SettingsWritten),
+    SaveSettings: shape_of(SettingsTable),
 }  # fmt: skip
 """How the results of some look; those of the others are reports (`report`, `feature_report`), or null."""
 

@@ -14,14 +14,15 @@ from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Set
 from birdcage.station.search_control import SearchControl
+from birdcage.station.settings_backup import SettingsBackup
 
 
 class FeatureHandler:
     """Errors are raised, and become the future's."""
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, backup: SettingsBackup) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
-        self._reader, self._search = parts.reader, SearchControl(parts)
+        self._reader, self._search = parts.reader, SearchControl(parts, backup)
         self._written_at = -math.inf
         """When a feature was written last: what was read before need not hold any more."""
 
@@ -72,6 +73,10 @@ class FeatureHandler:
         else:
             return self._write(feature, value, request.holder)
         return self._store.state.readings[feature.id]
+
+    def note_written(self) -> None:
+        """Something was written past the features: what was read of them before need not hold any more."""
+        self._written_at = self._store.clock.monotonic()
 
     def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
         """Set the greatest speed of an axis until the dish restarts; return what it shows. Moves nothing."""

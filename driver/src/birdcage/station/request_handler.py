@@ -10,6 +10,7 @@ from birdcage.base.errors import BirdcageError, MotionRefused, Stopped, Supersed
 from birdcage.base.reason import Reason
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
+from birdcage.station.dish_settings import DishSettings
 from birdcage.station.events import ClientIgnored, End, FaultAcknowledged
 from birdcage.station.features import FeatureHandler
 from birdcage.station.lost_control import LostControl
@@ -19,6 +20,7 @@ from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
+from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
@@ -46,7 +48,9 @@ class RequestHandler:
         self._pursuits = Pursuits(parts, host)
         self._unattended = ""
         """Whose last motion no person had asked for; empty if one had."""
-        self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
+        backup = SettingsBackup(parts.store, parts.antenna, parts.settings.backup_folder)
+        self._motors, self._features = MotorPower(parts), FeatureHandler(parts, backup)
+        self._settings = DishSettings(parts, backup, self._features.note_written)
         self._lost_control = LostControl(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
@@ -124,6 +128,15 @@ class RequestHandler:
                 self._rewire.connect(port, baud)
             case ask.SetSearch(holder, disabled):
                 future.set_result(self._features.set_search(holder, disabled=disabled))
+                return
+            case ask.ReadSettings():
+                future.set_result(self._settings.read())
+                return
+            case ask.WriteSettings():
+                future.set_result(self._settings.write(request))
+                return
+            case ask.SaveSettings():
+                future.set_result(self._settings.save(request))
                 return
             case ask.Stop(by):
                 self._stopper.call(by)

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from birdcage.base.errors import CommandRefused, ConfigError, NoReply, StoreError
-from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.parts import Parts
+from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.state import Activity, TvSearch
 
 
 class SearchControl:
     """What the switch does depends on the dish: see `Facts.search_switch`."""
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, backup: SettingsBackup) -> None:
         self._store, self._antenna, self._reader = parts.store, parts.antenna, parts.reader
-        self._folder = parts.settings.backup_folder
+        self._backup = backup
 
     def refuse(self, *, disabled: bool) -> None:
         """Raise CommandRefused (`unsupported`) where this can't be done, BirdcageError (`moving`) while it may not.
@@ -52,7 +52,7 @@ class SearchControl:
             self._reader.position()
             self._reader.note(ended)
             return None
-        backup = self._back_up(self._settings_table())
+        backup = self._backup.keep(self._settings_table())
         written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
         self._reader.survey()
         self._reader.note(written)
@@ -61,22 +61,9 @@ class SearchControl:
             self._store.change(search=TvSearch.UNKNOWN)
         return backup
 
-    def _settings_table(self) -> str:
+    def _settings_table(self) -> list[str]:
         """Read all settings. NoReply (`garbage`) where none were shown: then nothing is written."""
         table = self._antenna.rotator.read([SETTINGS]).get(SETTINGS)
         if table is None:
             raise NoReply("The dish did not show its settings, so there is no backup. Nothing was written.")
-        return str(table.value)
-
-    def _back_up(self, table: str) -> Path:
-        if self._folder is None:
-            raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
-        stamp = self._store.clock.utc().strftime("%Y%m%dT%H%M%SZ")
-        facts = self._antenna.rotator.facts
-        path = self._folder / f"{facts.settings_name}-{facts.firmware}-{stamp}.txt"
-        demo = "# DEMO\n" if self._store.state.demo else ""
-        try:
-            write_aside_and_rename(path, (demo + table + "\n").encode())
-        except OSError as error:
-            raise StoreError(f"The backup {path} can't be written ({error}): nothing was changed.") from error
-        return path
+        return str(table.value).split("\n")

@@ -13,6 +13,7 @@ from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.g2.features import features_of
+from birdcage.protocol.g2.own_settings import KNOWN
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import (
@@ -94,6 +95,8 @@ CARRYOUT_G2 = Facts(
         row_id(DISABLE_TRACKER), row_label(DISABLE_TRACKER), "Disable Tracker Proc", off="TRUE", on="FALSE"
     ),
     features=FEATURES.features,
+    has_own_settings=True,
+    settings_known=KNOWN,
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_G2,),
     adapters=(plugs.SH_U11, plugs.ESP32),
@@ -103,7 +106,7 @@ CARRYOUT_G2 = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.speed_deg_s azimuth.acceleration_deg_s2
             azimuth.step_deg elevation.min_deg elevation.max_deg elevation.speed_deg_s
             elevation.acceleration_deg_s2 elevation.step_deg cable.min_deg cable.max_deg
-            has_motor_power has_stow readback tells_version
+            has_motor_power has_stow has_own_settings readback tells_version
             type_field settings_name cable_known moves_one_axis sends_together never_homes
             reflector.width_m reflector.height_m
         """,

@@ -17,6 +17,7 @@ from birdcage.protocol.g2.hazards import HAZARDS
 from birdcage.protocol.g2.homing import parse_homing
 from birdcage.protocol.g2.menus import G2Menus
 from birdcage.protocol.g2.model import CARRYOUT_G2, DIALECT, FEATURES
+from birdcage.protocol.g2.own_settings import G2OwnSettings
 from birdcage.protocol.g2.scan import parse_scan_point
 from birdcage.protocol.g2.survey import survey
 from birdcage.protocol.hazard import HazardTable
@@ -26,6 +27,7 @@ from birdcage.protocol.unhomed import is_unhomed, unreadable
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import Value
 from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.sweep import SweepOrder, SweptReading
 from birdcage.rotator.values import Position, RssiReading, Survey, Taken
@@ -289,7 +291,12 @@ class CarryoutG2Protocol(G2Menus):
 
     def write_nvs(self, index: int, value: str) -> NvsRow:
         """Write one row in RAM, save it to flash, and read it back. Takes effect after a power cycle."""
-        return self.nvs.write(index, value)
+        return self.nvs.write_and_save(index, value)
+
+    @property
+    def own_settings(self) -> OwnSettings:
+        """The settings memory, as that of any machine."""
+        return G2OwnSettings(lambda: self.nvs)
 
     def settings_table(self) -> tuple[str, ...]:
         """Read the whole settings memory with `nvs`, `d`, as printed."""

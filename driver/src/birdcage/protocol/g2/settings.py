@@ -7,29 +7,17 @@ from typing import ClassVar
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.protocol.g2.room import Room
-from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs, same_value
-
-UNITS = {
-    27: "rpm",
-    38: "s",
-    41: "deg/s",
-    80: "deg/s",
-    81: "deg/s²",
-    83: "steps/turn",
-    85: "deg/s",
-    88: "steps/turn",
-    101: "deg",
-    102: "deg",
-    103: "deg",
-}
-"""Units of the rows whose unit a source tells (docs/reference/g2-settings.md, *Units*)."""
+from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs
+from birdcage.rotator.setting_values import same_value
 
 _TABLE_S = _SAVE_S = 10.0
 """How long the whole table and a write to flash may take: no source says. Only a deadline depends on it."""
+_TYPED = {"TRUE": "1", "FALSE": "0"}
+"""A switch is set by a digit: `e 20 1` is what its source has."""
 
 
 class SettingsMemory(Room):
-    """Reads and writes settings: `nvs.read(101).value` is the elevation floor in degrees (see `UNITS`)."""
+    """Reads and writes settings: `nvs.read(101).value` is the elevation floor in degrees."""
 
     menu: ClassVar[str] = "nvs"
 
@@ -49,22 +37,42 @@ class SettingsMemory(Room):
         return self._run("d", takes_s=_TABLE_S).lines
 
     def write(self, index: int, value: str) -> NvsRow:
-        """Write one row in RAM, save all that RAM holds to flash, and read the row back.
+        """Write one row in RAM, and read it back. A power cycle takes it back unless it is saved (`save`).
 
-        In force after a power cycle. CommandRefused (`bad_parameter`) when the dish changes another row or to another
-        value (nothing is then saved: a power cycle takes it back), does not say that it saved, or shows another value
-        as saved.
+        CommandRefused (`bad_parameter`) when the dish changes another row, or to another value.
         """
-        edit = parse_edit(self._run(f"e {index} {value}").lines)
+        edit = parse_edit(self._run(f"e {index} {_TYPED.get(value, value)}").lines)
         if edit is not None and (edit.index != index or not same_value(edit.after, value)):
             raise CommandRefused(
                 f"Told to set NVS row {index} to {value}, the dish set row {edit.index} to {edit.after}. It was not "
                 "saved: a power cycle takes it back.",
                 reason=Reason.BAD_PARAMETER,
             )
+        row = self.read(index)
+        if not same_value(row.current, value):
+            raise CommandRefused(
+                f"Told to set NVS row {index} to {value}, the dish shows {row.current} there. It was not saved: a "
+                "power cycle takes it back.",
+                reason=Reason.BAD_PARAMETER,
+            )
+        return row
+
+    def save(self) -> None:
+        """Save all that RAM holds to flash: it counts from the next power cycle on.
+
+        CommandRefused (`bad_parameter`) when the dish does not say that it saved.
+        """
         saved = self._run("s", takes_s=_SAVE_S)
         if not any("Success" in line for line in saved.lines):
             raise CommandRefused(f"The dish did not save: {' / '.join(saved.lines)!r}.", reason=Reason.BAD_PARAMETER)
+
+    def write_and_save(self, index: int, value: str) -> NvsRow:
+        """Write one row, save all that RAM holds, and read the row back.
+
+        CommandRefused (`bad_parameter`) as `write` and `save`, and when the dish shows another value as saved.
+        """
+        self.write(index, value)
+        self.save()
         row = self.read(index)
         if not same_value(row.saved, value):
             raise CommandRefused(
