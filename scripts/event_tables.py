@@ -15,6 +15,7 @@ from typing import get_args, get_type_hints
 
 from birdcage.detection.probe import BaudFinding
 from birdcage.rotator.feature import Range, Reading
+from birdcage.rotator.own_settings import SettingsTable, SettingsWritten
 from birdcage.station.attach_messages import Attached, result_shapes
 from birdcage.station.control_messages import FROM_OUTSIDE, EventsEnded
 from birdcage.station.events import Event
@@ -33,6 +34,9 @@ RESULTS = {
     "ListFeatures": "`firmware` and `features`, as `birdcage features --json` prints them",
     "Read": "an object: for each name that the dish told a [Reading](#reading)",
     "Set": "the [Reading](#reading) that was read back",
+    "ReadSettings": "a [SettingsTable](#settingstable)",
+    "WriteSettings": "a [SettingsWritten](#settingswritten)",
+    "SaveSettings": "a [SettingsTable](#settingstable), as it is then",
     "Watch": "null; the watch ends when the caller hangs up",
     "Unwatch": "null",
     "Attach": "[Attached](#attached); then lines go both ways ([The state](#the-state))",
@@ -123,7 +127,8 @@ def linked(words: str) -> str:
 def kinds_in(shape: Shape) -> list[type]:
     """Return the classes that the words of a result name."""
     named = re.findall(r"\((\w+)\)", shape.words)
-    return [each for each in (BaudFinding, MenuCommand, Pointing, RawReply, Reading) if each.__name__ in named]
+    kinds = (BaudFinding, MenuCommand, Pointing, RawReply, Reading, SettingsTable, SettingsWritten)
+    return [each for each in kinds if each.__name__ in named]
 
 
 def section(kind: type) -> list[str]:

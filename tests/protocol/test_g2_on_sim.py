@@ -129,7 +129,7 @@ def test_settings(g2):
     assert g2.nvs.read(101).saved_value == 18.0
     with pytest.raises((NoReply, CommandRefused)):
         g2.nvs.read(5)
-    assert g2.nvs.write(38, "500").saved_value == 500
+    assert g2.nvs.write_and_save(38, "500").saved_value == 500
     assert g2.nvs.read(38).default_value == 420
 
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import CommandRefused, NoReply
-from birdcage.protocol.nvs import NvsEdit, parse_edit, parse_nvs, same_value, typed
+from birdcage.protocol.nvs import NvsEdit, parse_edit, parse_nvs
+from birdcage.rotator.setting_values import same_value, typed
 
 HEAD = (
     "Num  Name                         Current      Saved      Default\n"
@@ -54,7 +55,7 @@ def written(play, edit, saved, shown):
         + (f"NVS>d 101\n{HEAD}101) Minimum Elevation Angle          15.00       {shown}       18.00\n" if shown else "")
         + "NVS>\n"
     )
-    return lambda: g2.nvs.write(101, "15"), port
+    return lambda: g2.nvs.write_and_save(101, "15"), port
 
 
 def test_a_write_is_shown_before_it_is_believed(play):
@@ -77,7 +78,7 @@ def test_a_write_that_went_wrong_is_refused_and_a_wrong_value_never_saved(play, 
 def test_another_row_is_never_saved(play):
     g2, port = play("TRK>nvs\nNVS>e 101 15\n 10) Deadband                         0.00 .      15.00\nNVS>\n")
     with pytest.raises(CommandRefused, match=r"row 10 to 15\.00"):
-        g2.nvs.write(101, "15")
+        g2.nvs.write_and_save(101, "15")
     assert port.written == b"\rnvs\re 101 15\r"
 
 

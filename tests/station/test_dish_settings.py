@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, Held, OutOfRange
 from birdcage.rotator.own_settings import RowState
-from birdcage.rotator.settings_file import read_settings_text
-from birdcage.station.requests import Goto, ReadSettings, SaveSettings, Stop, WriteSettings
+from birdcage.station.requests import ReadSettings, SaveSettings, WriteSettings
 
 from .conftest import Bench
 

@@ -49,6 +49,7 @@ COMMANDS = {
     "features": "List what this dish reports, and what you can set.",
     "get": "Read features of the dish.",
     "set": "Set a feature of the dish.",
+    "nvs": "Read, change, save and restore the settings that the dish keeps itself.",
     "rssi": "Print the signal strength, as often as it is told.",
     "levels": "Make decibels of counts by two levels that you know.",
     "peak": "Find the peak of a satellite by its signal, and point there.",

@@ -91,7 +91,7 @@ def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...]) -> dict[str,
 
     with open_dish(wanted, survey=False) as dish:
         dish.come_up(15.0)
-        _see_at_rest(dish)
+        see_at_rest(dish)
         told = dish.ask(request, TAKES_S)
         state = dish.state
     features = state.dish.features.values() if state.dish else ()
@@ -108,7 +108,8 @@ def _readings(port: str, ids: tuple[str, ...], told: object, rows: Iterable[Mapp
     return {"port": port, "readings": reading_values(ids, told_in_lines(rows), readings)}
 
 
-def _see_at_rest(dish: DishSession) -> None:
+def see_at_rest(dish: DishSession) -> None:
+    """Watch a dish that has just answered, until it is known whether it rests."""
     from birdcage.station.requests import Watch
     from birdcage.station.state import Activity
 

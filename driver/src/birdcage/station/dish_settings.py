@@ -21,7 +21,7 @@ from birdcage.station.settings_note import SettingsNote
 T = TypeVar("T")
 
 
-class DishSettings:
+class OwnSettingsHandler:
     """Errors are raised, and become the future's. `on_written` is called when the dish was told to change something."""
 
     def __init__(self, parts: Parts, backup: SettingsBackup, on_written: Callable[[], None]) -> None:

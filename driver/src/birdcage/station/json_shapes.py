@@ -55,7 +55,7 @@ from birdcage.station.json_values import (
 )
 from birdcage.station.plan_outline import PlanOutline, outline
 
-_WHOLE_KEY = re.compile(r"-?\d{1,15}", re.ASCII)
+_WHOLE_KEY = re.compile(r"-?\d{1,16}", re.ASCII)
 _VALUE = frozenset(get_args(Value))
 Rows = tuple[tuple[float, ...], ...]
 IMPORTED = {

@@ -10,7 +10,7 @@ from birdcage.base.errors import BirdcageError, MotionRefused, Stopped, Supersed
 from birdcage.base.reason import Reason
 from birdcage.station import requests as ask
 from birdcage.station.applying import Applying
-from birdcage.station.dish_settings import DishSettings
+from birdcage.station.dish_settings import OwnSettingsHandler
 from birdcage.station.events import ClientIgnored, End, FaultAcknowledged
 from birdcage.station.features import FeatureHandler
 from birdcage.station.lost_control import LostControl
@@ -50,7 +50,7 @@ class RequestHandler:
         """Whose last motion no person had asked for; empty if one had."""
         backup = SettingsBackup(parts.store, parts.antenna, parts.settings.backup_folder)
         self._motors, self._features = MotorPower(parts), FeatureHandler(parts, backup)
-        self._settings = DishSettings(parts, backup, self._features.note_written)
+        self._settings = OwnSettingsHandler(parts, backup, self._features.note_written)
         self._lost_control = LostControl(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:

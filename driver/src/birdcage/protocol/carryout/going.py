@@ -69,8 +69,14 @@ def ceiling_of(lines: Iterable[str]) -> float | None:
     How a row is printed is not known: taken is the first number that stands by itself behind the row's own, above
     the floor and up to 90. Records of a move under way may come in between.
     """
+    text = ceiling_text(lines)
+    return None if text is None else float(text)
+
+
+def ceiling_text(lines: Iterable[str]) -> str | None:
+    """Return the same as printed."""
     for line in lines:
         found = _NUMBER.search(re.sub(_ROW.format(EL_MAX_ROW), " ", line))
         if found and refusal_of(line) is None and EL_SPAN_DEG[0] < float(found[1]) <= HIGHEST_EL_DEG:
-            return float(found[1])
+            return found[1]
     return None

@@ -8,6 +8,7 @@ from birdcage.protocol import plugs
 from birdcage.protocol.carryout.dialect import BAUD
 from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
+from birdcage.protocol.carryout.own_settings import KNOWN
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
@@ -54,6 +55,8 @@ CARRYOUT_2003 = Facts(
     power_switch="12 V switch",
     ceiling_settings=(Setting(row_id(EL_MAX_ROW), row_label(EL_MAX_ROW)),),
     features=FEATURES.features,
+    has_own_settings=True,
+    settings_known=KNOWN,
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_2003,),
     adapters=(plugs.DTECH,),
@@ -69,7 +72,8 @@ CARRYOUT_2003 = Facts(
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             turn second_same second_other stop_ladder slew.least_deg search_switch boot_s
-            has_motor_power has_stow cable_known moves_one_axis sends_together never_homes tells_version
+            has_motor_power has_stow has_own_settings cable_known moves_one_axis sends_together never_homes
+            tells_version
         """,
     ),
 )

@@ -17,12 +17,14 @@ from birdcage.protocol.carryout.features import CEILING, FEATURES
 from birdcage.protocol.carryout.going import EL_MAX_ROW, GotoAnswer, ceiling_of, go_line, judge_go
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.model import CARRYOUT_2003
+from birdcage.protocol.carryout.own_settings import CarryoutOwnSettings
 from birdcage.protocol.carryout.records import RecordReader
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
@@ -133,6 +135,11 @@ class CarryoutProtocol(FirmwareProtocol):
             if answer is GotoAnswer.REFUSED and refusal is not None:
                 raise refusal
         return True
+
+    @property
+    def own_settings(self) -> OwnSettings:
+        """The settings memory, as that of any machine."""
+        return CarryoutOwnSettings(lambda: self.console)
 
     def survey(self) -> Survey:
         """Read the greatest elevation that it takes: nothing else is told by a known command."""

@@ -41,13 +41,7 @@ class SettingsMemory(Room):
 
         CommandRefused (`bad_parameter`) when the dish changes another row, or to another value.
         """
-        edit = parse_edit(self._run(f"e {index} {_TYPED.get(value, value)}").lines)
-        if edit is not None and (edit.index != index or not same_value(edit.after, value)):
-            raise CommandRefused(
-                f"Told to set NVS row {index} to {value}, the dish set row {edit.index} to {edit.after}. It was not "
-                "saved: a power cycle takes it back.",
-                reason=Reason.BAD_PARAMETER,
-            )
+        self._edit(index, value)
         row = self.read(index)
         if not same_value(row.current, value):
             raise CommandRefused(
@@ -69,9 +63,10 @@ class SettingsMemory(Room):
     def write_and_save(self, index: int, value: str) -> NvsRow:
         """Write one row, save all that RAM holds, and read the row back.
 
-        CommandRefused (`bad_parameter`) as `write` and `save`, and when the dish shows another value as saved.
+        CommandRefused (`bad_parameter`) as `save`, and when the dish changes another row, or shows another
+        value as saved.
         """
-        self.write(index, value)
+        self._edit(index, value)
         self.save()
         row = self.read(index)
         if not same_value(row.saved, value):
@@ -80,3 +75,12 @@ class SettingsMemory(Room):
                 reason=Reason.BAD_PARAMETER,
             )
         return row
+
+    def _edit(self, index: int, value: str) -> None:
+        edit = parse_edit(self._run(f"e {index} {_TYPED.get(value, value)}").lines)
+        if edit is not None and (edit.index != index or not same_value(edit.after, value)):
+            raise CommandRefused(
+                f"Told to set NVS row {index} to {value}, the dish set row {edit.index} to {edit.after}. It was not "
+                "saved: a power cycle takes it back.",
+                reason=Reason.BAD_PARAMETER,
+            )

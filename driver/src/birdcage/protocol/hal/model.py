@@ -5,6 +5,7 @@ from __future__ import annotations
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
 from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.own_settings import KNOWN
 from birdcage.protocol.nvs import row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
@@ -75,6 +76,8 @@ TRAVLER = Facts(
     handling=HANDLING,
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
     features=FEATURES.features,
+    has_own_settings=True,
+    settings_known=KNOWN,
     settings_name="nvs",
     rotctld_name="Winegard Trav'ler RS-485 Rotor",
     connectors=(plugs.TRAVLER,),
@@ -86,7 +89,8 @@ TRAVLER = Facts(
             azimuth.min_deg azimuth.max_deg azimuth.step_deg
             elevation.min_deg elevation.max_deg elevation.step_deg skew.step_deg
             cable.min_deg cable.max_deg second_same second_other stop_ladder
-            has_stow readback settings_name rotctld_name cable_known moves_one_axis sends_together never_homes
+            has_stow has_own_settings readback settings_name rotctld_name cable_known moves_one_axis
+            sends_together never_homes
             reflector.width_m reflector.height_m
         """,
         measured="azimuth.times elevation.times",

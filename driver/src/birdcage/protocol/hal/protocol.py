@@ -19,11 +19,13 @@ from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
 from birdcage.protocol.hal.features import FEATURES, LOWEST, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.hal.hazards import HAZARDS
 from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
+from birdcage.protocol.hal.own_settings import HalOwnSettings
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.own_settings import OwnSettings
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
@@ -150,6 +152,11 @@ class HAL205Protocol(FirmwareProtocol):
         """Fold the dish flat (`docs/reference/travler.md`, *Stow*). Nothing that is known stops it."""
         self.console.enter(self.dialect.root)
         self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
+
+    @property
+    def own_settings(self) -> OwnSettings:
+        """The settings memory, as that of any machine."""
+        return HalOwnSettings(self)
 
     def survey(self) -> Survey:
         """Read the lowest elevations (NVS 125 and 127): nothing else is told by a known command."""

@@ -1,0 +1,93 @@
+"""The settings of a Trav'ler as those of any machine: what RAM holds (`docs/reference/travler.md`, *Settings*)."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from typing import Protocol
+
+from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.reason import Reason
+from birdcage.console.session import Console
+from birdcage.protocol.hal.answers import parse_setting
+from birdcage.protocol.hal.dialect import NVS
+from birdcage.protocol.hal.features import SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.rotator.feature import Range
+from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
+from birdcage.rotator.setting_values import same_value
+
+_SAVE_S = 10.0
+"""How long a write to flash may take: no source says. Only a deadline depends on it."""
+_ROW = re.compile(r"\s*(\d{1,6})[).:]?\s+(\S.*?)\s*", re.ASCII)
+_VALUE = re.compile(r"[-+]?\d+(?:\.\d+)?|0[xX][0-9A-Fa-f]+|TRUE|FALSE", re.ASCII)
+_LOW = "Below 15° its own moves are unreliable. Lower down it may run into its end stop, or a feed may hit."
+
+KNOWN: Mapping[int, SettingKnown] = {
+    SEARCH_MINIMUM: SettingKnown(
+        SEARCH_MINIMUM, "deg", range=Range(-90.0, 90.0), danger=_LOW, note="The lowest elevation of its TV search."
+    ),
+    SAFE_MINIMUM: SettingKnown(
+        SAFE_MINIMUM, "deg", range=Range(-90.0, 90.0), danger=_LOW, note="The lowest elevation that it goes to."
+    ),
+}
+
+
+class _Dish(Protocol):
+    @property
+    def console(self) -> Console: ...
+
+    def settings_table(self) -> tuple[str, ...]: ...
+
+
+class HalOwnSettings:
+    """Implements `OwnSettings` by the menu `nvs`; `dish` is open when anything is asked."""
+
+    known = KNOWN
+    tells_saved = False
+
+    def __init__(self, dish: _Dish) -> None:
+        self._dish = dish
+
+    def parse(self, printed: Iterable[str]) -> Mapping[int, SettingRow]:
+        """Return the rows by index: lines of a number, a name and one value. What is printed twice is none.
+
+        How a row is printed no source tells: of a known one the first number behind its own is taken.
+        """
+        found = [row for line in printed if (row := _row_of(line)) is not None]
+        often = Counter(row.index for row in found)
+        return {row.index: row for row in found if often[row.index] == 1}
+
+    def read(self) -> SettingsTable:
+        """Read what `d` shows."""
+        printed = self._dish.settings_table()
+        return SettingsTable(printed, self.parse(printed))
+
+    def write(self, index: int, value: str) -> SettingRow:
+        """Change one row with `e`, and read it back with `e`."""
+        run = self._dish.console.run
+        run(NVS, f"e {index} {value}")
+        shown = parse_setting(index, run(NVS, f"e {index}").lines)
+        if shown is None:
+            raise NoReply(f"The dish did not show row {index} after it was changed.", reason=Reason.GARBAGE)
+        if not same_value(shown, value):
+            raise CommandRefused(
+                f"Told to set row {index} to {value}, the dish shows {shown} there. It was not saved.",
+                reason=Reason.BAD_PARAMETER,
+            )
+        return SettingRow(index, "", shown, None, None)
+
+    def save(self) -> None:
+        """Write RAM to flash with `s`. What it says then no source tells: all that is no refusal counts as done."""
+        self._dish.console.run(NVS, "s", takes_s=_SAVE_S)
+
+
+def _row_of(line: str) -> SettingRow | None:
+    match = _ROW.fullmatch(line)
+    if match is None:
+        return None
+    index, words = int(match[1]), match[2].split()
+    values = [at for at, word in enumerate(words) if _VALUE.fullmatch(word)]
+    if values and (index in KNOWN or values == [len(words) - 1]):
+        return SettingRow(index, " ".join(words[: values[0]]), words[values[0]], None, None)
+    return None
