@@ -6,8 +6,10 @@ import os
 from dataclasses import replace
 
 import pytest
+from birdcage.base.errors import CommandRefused
 from birdcage.base.paths import Paths
 from birdcage.cli import table
+from birdcage.protocol.g2.drivers import Drivers
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.system import System
@@ -225,3 +227,116 @@ def test_what_reading_itself_changes_is_asked_about_and_yes_agrees(run, as_json)
     )
     assert set(told["readings"]) == {"even_level", "odd_level"}
     assert None not in told["readings"].values()
+
+
+def test_a_page_is_read_menu_by_menu_and_shown_under_its_headings(run, as_json, pty_dish):
+    result = run("get", "--page", "hardware", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    lines = result.stdout.splitlines()
+    assert lines[:2] == ["Hardware: Identity", f"  {'version':24} 02.02.48"]
+    assert f"  {'driver.elevation':24} OK" in lines[lines.index("Hardware: Drivers") : lines.index("Hardware: Pins")]
+    assert "    E0  1  SPI1_PCS1 A3981 #2 chip select (EL motor)" in lines[lines.index("  pins.e") :]
+    menus = ["os", "adc", "a3981", "dipswitch", "gpio", "eeprom", "mot"]
+    entered = [line for line in pty_dish.lines() if line in menus]
+    entered = entered[entered.index("os") :]
+    assert list(dict.fromkeys(entered)) == menus
+    assert len(entered) == len(menus) + 1, "each once; in `dipswitch` the command is called so, too"
+    sent = [line for line in pty_dish.lines() if line in ("regs", "id", "diag", "ee 0", "ee 15")]
+    assert sent == ["id", "diag", "regs", "ee 0", "ee 15"], "each once"
+    told = as_json(run("get", "--page", "motors", "--group", "ELEVATION", "--json", port=pty_dish.path))
+    assert set(told["readings"]) == {name for name in CARRYOUT_G2.features if _is_of(name, "motors", "Elevation")}
+    assert None not in told["readings"].values()
+
+
+def _is_of(name, page, group):
+    feature = CARRYOUT_G2.features[name]
+    return (feature.page.value, feature.group) == (page, group) and feature.is_readable
+
+
+def test_of_a_page_nothing_is_read_that_needs_consent(run, pty_dish):
+    result = run("get", "--page", "receiver", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    said = "Not read, because reading changes something: transponders, transponders.extended, even_level, odd_level."
+    assert said in result.stderr
+    assert not {"table", "tablex", "rssits"} & set(pty_dish.lines())
+    assert f"  {'lnb_id':24} no answer" in result.stdout.splitlines()
+    agreed = run("get", "--page", "receiver", "--yes", port=pty_dish.path)
+    assert agreed.exit_code == 0, agreed.stderr
+    assert {"table", "tablex", "rssits"} <= set(pty_dish.lines())
+    assert "  transponders" in agreed.stdout.splitlines()
+
+
+@pytest.mark.parametrize(("words", "code", "sentence"), [
+    (("--page", "motors", "rssi"), 2, "not both"),
+    ((), 2, "Give the names of features, or --page or --group."),
+    (("--page", "engine"), 2, "'engine' is not one of"),
+    (("--page", "motors", "--group", "pins"), 1, "This dish tells nothing of motors: pins. It has Hardware: Identity,"),
+])  # fmt: skip
+def test_what_no_page_has_is_an_error(run, pty_dish, words, code, sentence):
+    result = run("get", *words, port=pty_dish.path)
+    assert (result.exit_code, result.stdout) == (code, "")
+    assert sentence in result.stderr
+
+
+def test_a_machine_with_little_has_a_page_with_little(run):
+    result = run("get", "--page", "settings", port="sim:carryout", firmware="carryout")
+    assert result.exit_code == 0, result.stderr
+    assert result.stdout.splitlines() == ["Settings: Elevation", f"  {'ceiling':24} 73 deg"]
+    lacking = run("get", "--page", "motors", port="sim:carryout", firmware="carryout")
+    assert lacking.exit_code == 1
+    assert "It has Settings: Elevation." in lacking.stderr
+
+
+def test_what_is_refused_is_a_dash_and_the_rest_is_read(run, monkeypatch):
+    def refused(_drivers):
+        raise CommandRefused("The drivers are off.")
+
+    monkeypatch.setattr(Drivers, "faults", refused)
+    result = run("get", "driver.azimuth", "torque.azimuth")
+    assert result.exit_code == 1
+    assert [line.split() for line in result.stdout.splitlines()] == [["driver.azimuth", "-"], ["torque.azimuth", "LOW"]]
+    alone = run("get", "driver.azimuth")
+    assert (alone.exit_code, alone.stdout, alone.stderr) == (1, "", "The drivers are off.\n")
+
+
+def test_the_old_value_is_said_and_how_to_put_it_back(run, as_json, pty_dish):
+    result = run("set", "kp.azimuth", "200", "--yes", port=pty_dish.path)
+    assert (result.exit_code, result.stdout.split()) == (0, ["kp.azimuth", "200"])
+    assert "It was 250. Undo: birdcage set kp.azimuth 250\n" in result.stderr
+    result = run("set", "speed.elevation", "11.125", port=pty_dish.path)
+    undo = result.stderr.split("Undo: birdcage set ")[1].split()
+    assert undo == ["speed.elevation", "45"]
+    result = run("set", *undo, port=pty_dish.path)
+    assert "Undo: birdcage set speed.elevation 11.1201923" in result.stderr, "as the dish takes it: 771 microsteps/s"
+    assert "mv 1 771" in pty_dish.lines()
+    run("set", *result.stderr.split("Undo: birdcage set ")[1].split(), port=pty_dish.path)
+    assert [line for line in pty_dish.lines() if line.startswith("mv 1")] == ["mv 1 771", "mv 1 3120", "mv 1 771"]
+    told = as_json(run("set", "kp.azimuth", "250", "--yes", "--json", port=pty_dish.path))
+    assert (told["before"]["value"], told["readings"]["kp.azimuth"]["value"]) == (200.0, 250.0)
+    again = run("set", "kp.azimuth", "250", "--yes", port=pty_dish.path)
+    assert "Undo" not in again.stderr, "nothing has changed"
+
+
+def test_a_program_that_has_the_port_tells_the_old_value_too(run, pty_dish, owner):
+    result = run("set", "kv.elevation", "60", "--yes", port=pty_dish.path)
+    assert result.exit_code == 0, result.stderr
+    assert "It was 50. Undo: birdcage set kv.elevation 50\n" in result.stderr
+    told = run("get", "--page", "hardware", port=pty_dish.path)
+    assert told.exit_code == 0, told.stderr
+    assert "    E0  1  SPI1_PCS1 A3981 #2 chip select (EL motor)" in told.stdout.splitlines()
+    lines = pty_dish.lines()
+    assert [lines.count(each) for each in ("regs", "diag", "id")][:2] == [1, 1]
+
+
+def test_what_a_message_means_is_said_before_it_goes_out(run, pty_dish):
+    asked = run("set", "diseqc", "E0 10 38 F4", port=pty_dish.path)
+    assert asked.exit_code == 2
+    assert "any LNB, switch or SMATV; write to port group 0 (committed switch): position B, option A" in asked.stderr
+    assert "polarisation, band or input may change" in asked.stderr
+    wrong = run("set", "diseqc", "E0 GG", "--yes", port=pty_dish.path)
+    assert wrong.exit_code == 2
+    assert "'GG' is no byte in hex" in wrong.stderr
+    assert not [line for line in pty_dish.lines() if line.startswith("send")]
+    sent = run("set", "diseqc", "E0 10 38 F4", "--yes", port=pty_dish.path)
+    assert sent.exit_code == 0, sent.stderr
+    assert sent.stdout.split(None, 1)[1] == "E0 10 38 F4 sent; the dish printed: Tx: E0 10 38 F4\n"

@@ -122,7 +122,10 @@ def test_a_question_that_is_refused_leaves_the_motor_menu_behind_it(bench, monke
 
     monkeypatch.setattr(Tuner, "snr_db", refuse)
     with pytest.raises(CommandRefused, match="The tuner is off"):
-        bench.do(Read(("rssi", "snr")))
+        bench.do(Read(("snr",)))
+    assert bench.state.menu == "mot"
+    assert not bench.station._reader.elsewhere
+    assert set(bench.do(Read(("snr", "rssi")))) == {"rssi"}, "what is refused keeps nothing else from being read"
     assert bench.state.menu == "mot"
     assert not bench.station._reader.elsewhere
 

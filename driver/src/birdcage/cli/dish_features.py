@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 import signal
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from birdcage.cli.dish import DishSession
     from birdcage.cli.options import Wanted
+    from birdcage.rotator.feature import Reading
     from birdcage.station.requests import Read, Set
 
+T = TypeVar("T")
 AT_REST_S = 8.0
 """How long a dish that has just answered is watched, to see that it rests."""
-TAKES_S = 60.0
+TAKES_S = 150.0
+"""Longer than any reading takes: a table of transponders up to a minute."""
 
 
 def list_features(dish: Wanted) -> dict[str, Any]:
@@ -51,20 +55,24 @@ def read_features(dish: Wanted, ids: tuple[str, ...], *, agreed: bool = False) -
     from birdcage.station.requests import Read
 
     request = Read(ids, agreed=agreed)
-    return _ask_owner(dish, request, ids, "birdcage get") or _ask(dish, request, ids)
+    return _read_by_owner(dish, request, "birdcage get") or _ask(dish, request, ids)
 
 
-def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[str, Any]:
-    """Set a feature, with a person's consent, and return what was read back, as `read_features`."""
+def set_feature(dish: Wanted, feature: str, value: bool | float | str, *, look_first: bool = False) -> dict[str, Any]:
+    """Set a feature, with a person's consent, and return what was read back, as `read_features`.
+
+    `look_first`: read it before, too, and return that as `before`, in the form of a reading; None if it was not told.
+    """
     from birdcage.base.held import user_name
     from birdcage.cli.exits import EndedBySignal
     from birdcage.station.feature_report import may_be_set
-    from birdcage.station.requests import Set
+    from birdcage.station.requests import Read, Set
 
-    by = f"{user_name()} (birdcage set)"
+    by, ids = f"{user_name()} (birdcage set)", (feature,)
+    look = Read(ids) if look_first else None
     try:
         request = Set(feature, value, by, agreed=True)
-        return _ask_owner(dish, request, (feature,), by) or _ask(dish, request, (feature,))
+        return _set_by_owner(dish, look, request, by) or _ask(dish, request, ids, look)
     except KeyboardInterrupt:
         ended = EndedBySignal(signal.SIGINT)
     except EndedBySignal as signalled:
@@ -73,29 +81,88 @@ def set_feature(dish: Wanted, feature: str, value: bool | float | str) -> dict[s
     raise ended
 
 
-def _ask_owner(dish: Wanted, request: Read | Set, ids: tuple[str, ...], by: str) -> dict[str, Any] | None:
+def _read_by_owner(dish: Wanted, request: Read, by: str) -> dict[str, Any] | None:
+    """Ask the program that has the port, menu by menu: it answers none that takes long."""
+    from birdcage.base.errors import CommandRefused, NoReply
+    from birdcage.cli.feature_pages import by_menu
     from birdcage.cli.owners import ask_owner
+    from birdcage.rotator.feature_table import ends_reading
     from birdcage.station.control_messages import ListFeatures
 
+    listed = ask_owner(dish, ListFeatures(), by)
+    if listed is None:
+        return None
+    port, rows = listed[0], listed[1]["features"]
+    named = [row for row in rows if row["id"] in request.features]
+    unknown = tuple(each for each in request.features if each not in {row["id"] for row in named})
+    parts = [unknown] if unknown else by_menu(named)
+    readings: dict[str, Reading] = {}
+    first: CommandRefused | NoReply | None = None
+    for part in parts:
+        try:
+            answer = ask_owner(dish, replace(request, features=part), by)
+        except (CommandRefused, NoReply) as error:
+            if ends_reading(error):
+                raise
+            first = first or error
+            continue
+        if answer is None:
+            return None
+        readings |= answer[1]
+    if first is not None and not readings:
+        raise first
+    return _readings(port, request.features, readings, rows)
+
+
+def _set_by_owner(dish: Wanted, look: Read | None, request: Set, by: str) -> dict[str, Any] | None:
+    from birdcage.cli.owners import ask_owner
+
+    before = None if look is None else _look(lambda: ask_owner(dish, look, by))
+    was = None if before is None else before[1]
     answer = ask_owner(dish, request, by)
     if answer is None:
         return None
     port, told = answer
-    table = ask_owner(dish, ListFeatures(), by)
-    return _readings(port, ids, told, [] if table is None else table[1]["features"])
+    return _with_before(_readings(port, (request.feature,), told, ()), request.feature, was)
 
 
-def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...]) -> dict[str, Any]:
+def _ask(wanted: Wanted, request: Read | Set, ids: tuple[str, ...], look: Read | None = None) -> dict[str, Any]:
     from birdcage.cli.dish import open_dish
     from birdcage.station.feature_report import feature_values
 
     with open_dish(wanted, survey=False) as dish:
         dish.come_up(15.0)
         see_at_rest(dish)
+        was = None if look is None else _look(lambda: dish.ask(look, TAKES_S))
         told = dish.ask(request, TAKES_S)
         state = dish.state
     features = state.dish.features.values() if state.dish else ()
-    return _readings(state.port, ids, told, map(feature_values, features))
+    return _with_before(
+        _readings(state.port, ids, told, map(feature_values, features)),
+        ids[0],
+        was if isinstance(was, Mapping) else None,
+    )
+
+
+def _look(ask: Callable[[], T]) -> T | None:
+    """Return what is asked; None where the dish does not tell it: what it was is then not known."""
+    from birdcage.base.errors import CommandRefused, NoReply
+    from birdcage.rotator.feature_table import ends_reading
+
+    try:
+        return ask()
+    except (CommandRefused, NoReply) as error:
+        if ends_reading(error):
+            raise
+        return None
+
+
+def _with_before(told: dict[str, Any], feature: str, before: Mapping[str, Reading] | None) -> dict[str, Any]:
+    from birdcage.station.feature_report import reading_values
+
+    if before is None:
+        return told
+    return told | {"before": reading_values((feature,), (), before)[feature]}
 
 
 def _readings(port: str, ids: tuple[str, ...], told: object, rows: Iterable[Mapping[str, Any]]) -> dict[str, Any]:

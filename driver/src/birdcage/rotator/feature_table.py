@@ -8,7 +8,7 @@ from datetime import timedelta
 from typing import Any
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, Reading, Value, by_id
 
@@ -39,18 +39,29 @@ class FeatureTable:
     def read(self, machine: object, name: str, ids: Iterable[str], stamp: Stamp) -> dict[str, Reading]:
         """Ask a machine (called `name`) for some features; what it did not tell is left out.
 
-        What the same answers told of other features is among what is returned.
+        What the same answers told of other features is among what is returned. All of a menu is asked in one go.
 
-        CommandRefused (`unsupported`) for what it does not tell at all, before anything is sent.
+        CommandRefused (`unsupported`) for what it does not tell at all, before anything is sent. A question that the
+        machine refuses, or answers with nonsense, leaves its own features out: it raises CommandRefused or NoReply
+        where nothing else was told, and wherever a motor is in trouble.
         """
         rows = {each: self._rows.get(each) for each in ids}
         for each, row in rows.items():
             if row is None or row.read is None:
                 raise lacks(name, each, "read")
         readings: dict[str, Reading] = {}
-        for ask in dict.fromkeys(row.read for row in rows.values() if row is not None and row.read is not None):
-            told = ask(machine)
+        first: CommandRefused | NoReply | None = None
+        for ask in _questions(row for row in rows.values() if row is not None):
+            try:
+                told = ask(machine)
+            except (CommandRefused, NoReply) as error:
+                if ends_reading(error):
+                    raise
+                first = first or error
+                continue
             readings |= {each: self._reading(each, value, stamp) for each, value in told.items() if each in self._rows}
+        if first is not None and not readings:
+            raise first
         return readings
 
     def write(self, machine: object, name: str, feature: str, value: Value, stamp: Stamp) -> Reading:
@@ -67,6 +78,22 @@ class FeatureTable:
 
     def _reading(self, feature: str, value: Value, stamp: Stamp) -> Reading:
         return stamp(value, self._rows[feature].feature.unit)
+
+
+def _questions(rows: Iterable[FeatureRow]) -> Iterable[Callable[[Any], Mapping[str, Value]]]:
+    """Return what is asked for rows, each once, menu by menu in the order in which they are named first."""
+    asked: dict[str | None, dict[Callable[[Any], Mapping[str, Value]], None]] = {}
+    for row in rows:
+        if row.read is not None:
+            asked.setdefault(row.feature.cost.menu, {})[row.read] = None
+    return [ask for of_menu in asked.values() for ask in of_menu]
+
+
+def ends_reading(error: CommandRefused | NoReply) -> bool:
+    """Return whether nothing more can be asked after an error: a motor is in trouble, or nothing answers."""
+    if isinstance(error, CommandRefused):
+        return error.trouble is not None
+    return error.reason not in (Reason.GARBAGE, Reason.NO_ROW)
 
 
 def _check_calls(name: str, row: FeatureRow) -> None:

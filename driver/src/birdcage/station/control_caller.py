@@ -203,11 +203,11 @@ class ControlCaller:
     def _submit(
         self, request: Read | Set | ReadSettings | WriteSettings | SaveSettings | Watch | Unwatch
     ) -> dict[str, object]:
-        future = self._station.submit(request)
+        future, within_s = self._station.submit(request), REQUEST_S + messages.more_s(request)
         try:
-            return messages.done(request, future.result(REQUEST_S))
+            return messages.done(request, future.result(within_s))
         except TimeoutError:
-            late = f"The program that has the port did not answer within {REQUEST_S:.0f} s."
+            late = f"The program that has the port did not answer within {within_s:.0f} s."
             if future.cancel():
                 late += " Nothing was sent."
             elif isinstance(request, Set):

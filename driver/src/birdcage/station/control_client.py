@@ -27,6 +27,7 @@ from birdcage.station.control_messages import (
     EventsEnded,
     as_line,
     call_to_json,
+    more_s,
     result_from_json,
 )
 from birdcage.station.feature_report import error_of
@@ -97,7 +98,7 @@ def call_owner(owner: Owner, request: ControlRequest, by: str) -> Any:  # noqa: 
     BirdcageError is the owner's own.
     """
     with _called(owner, ControlCall(request, by)) as lines:
-        return _result(owner, request, _answer(owner, lines))
+        return _result(owner, request, _answer(owner, lines, ANSWER_S + more_s(request)))
 
 
 @contextlib.contextmanager
@@ -177,9 +178,9 @@ def _next(lines: LineReader, within_s: float | None) -> dict[str, Any]:
     return told
 
 
-def _answer(owner: Owner, lines: LineReader) -> dict[str, Any]:
+def _answer(owner: Owner, lines: LineReader, within_s: float = ANSWER_S) -> dict[str, Any]:
     try:
-        told = _next(lines, ANSWER_S)
+        told = _next(lines, within_s)
     except TimeoutError:
         raise _silent(owner) from None
     except (OSError, ValueError):

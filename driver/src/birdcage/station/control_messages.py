@@ -46,6 +46,8 @@ from birdcage.station.requests import (
 
 LONGEST_LINE = 4096
 """Bytes of what is asked."""
+LONG_READ_S = 90.0
+"""How much longer the answer waits for a reading that a person has agreed to: one may keep the dish for a minute."""
 LONGEST_ANSWER = 4_000_000
 """Bytes of an answer or an event: far more than any has."""
 
@@ -123,6 +125,11 @@ class ControlCall:
     """Who asks, for the log."""
     events: bool = False
     """Whether events are to follow the answer."""
+
+
+def more_s(request: ControlRequest) -> float:
+    """Return how much longer than others the answer to a request may take."""
+    return LONG_READ_S if isinstance(request, Read) and request.agreed else 0.0
 
 
 def call_to_json(token: str, call: ControlCall) -> dict[str, object]:

@@ -40,12 +40,13 @@ def command() -> None:
 
 def _tell(rows: list[dict[str, Any]]) -> None:
     """Print each group of each page below its heading."""
+    from birdcage.cli.feature_pages import heading_of
     from birdcage.cli.say import tell
     from birdcage.cli.table import GAP, cut, fitting, room, tell_table, widths_of
 
     groups: dict[str, list[dict[str, Any]]] = {}
     for row in rows:
-        groups.setdefault(_heading(row), []).append(row)
+        groups.setdefault(heading_of(row), []).append(row)
     for heading, rows_of in groups.items():
         tell(heading)
         cells = [(f"{GAP}{row['id']}", f"{row['label']}{_unit(row)}", _set(row), row["asked"] or "") for row in rows_of]
@@ -53,10 +54,6 @@ def _tell(rows: list[dict[str, Any]]) -> None:
         whats = (f"{cut(row['label'], width - len(_unit(row)))}{_unit(row)}" for row in rows_of)
         lines = [[what if at == 1 else line[at] for at in shown] for line, what in zip(cells, whats, strict=True)]
         tell_table(lines[0], lines[1:])
-
-
-def _heading(row: dict[str, Any]) -> str:
-    return ": ".join(part for part in (str(row["page"] or "other").capitalize(), row["group"]) if part)
 
 
 def _unit(row: dict[str, Any]) -> str:

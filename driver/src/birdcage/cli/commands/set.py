@@ -22,13 +22,17 @@ ON, OFF = ("on", "yes", "true", "1"), ("off", "no", "false", "0")
 def command(name: str, value: str | None, yes: bool) -> None:
     """Set a feature of the dish, and print what was read back; `birdcage features` lists names and ranges.
 
-    VALUE is a number, or on and off; what is done and over (`at once`) takes none. What needs your consent is asked for
-    first. Nothing is set while the dish moves. If another birdcage program has the port, that one sets it.
+    VALUE is a number, or on and off; what is done and over (`at once`) takes none. A message in hex is one argument:
+    "E0 10 38 F4". Where the dish tells it, you also see what it was before, and how to put that back.
+
+    What needs your consent is asked for first. Nothing is set while the dish moves. If another birdcage program has the
+    port, that one sets it.
     """
     from birdcage.base.errors import CommandRefused
     from birdcage.cli.commands.get import confirm, lines_of
     from birdcage.cli.dish_features import list_features, set_feature
-    from birdcage.cli.say import tell, tell_json
+    from birdcage.cli.say import say, tell, tell_json
+    from birdcage.rotator.feature import DISEQC
 
     no_options_among([name] if value is None else [name, value])
     dish = wanted()
@@ -41,9 +45,11 @@ def command(name: str, value: str | None, yes: bool) -> None:
             reason=Reason.UNSUPPORTED,
         )
     meant = _value(row, value)
+    if name == DISEQC:
+        say(_message(str(meant)))
     if row["hazard"]:
         confirm(row["hazard"], yes, "Set it?")
-    told = set_feature(dish, name, meant)
+    told = set_feature(dish, name, meant, look_first=row["told"] and not row["read_hazard"])
     if flags().json:
         tell_json(told)
         return
@@ -51,7 +57,34 @@ def command(name: str, value: str | None, yes: bool) -> None:
         tell(f"{name:24} done")
         return
     for line in lines_of(name, told["readings"][name]):
-        tell(line if row["told"] else f"{line}: the dish took it, and can't be asked for it")
+        only_taken = not row["told"] and row["writer"] != "at once"
+        tell(f"{line}: the dish took it, and can't be asked for it" if only_taken else line)
+    if undo := _undo(name, told):
+        say(undo)
+
+
+def _undo(name: str, told: dict[str, Any]) -> str:
+    """Return what it was, and how to put it back; empty where that is not known, or it is the same."""
+    from birdcage.cli.commands.get import value_text
+
+    before, now = told.get("before"), told["readings"][name]
+    if before is None or now is None or before["value"] == now["value"]:
+        return ""
+    value = before["value"]
+    typed = f"{value:.10g}" if isinstance(value, float) else value_text(value)
+    return (
+        f"It was {value_text(value)}{' ' + before['unit'] if before['unit'] else ''}. Undo: birdcage set {name} {typed}"
+    )
+
+
+def _message(typed: str) -> str:
+    """Return what a message to the coax means; UsageError for what is none."""
+    from birdcage.coax.messages import read_message, typed_message
+
+    try:
+        return str(read_message(typed_message(typed)))
+    except ValueError as wrong:
+        raise click.UsageError(f"{wrong} Nothing was sent.") from None
 
 
 def _value(row: dict[str, Any], text: str | None) -> bool | float | str:
