@@ -7,7 +7,8 @@ from datetime import UTC, datetime
 import pytest
 from birdcage.base.background import BackgroundWriter
 from birdcage.base.errors import StoreError
-from birdcage.base.journal import Journal, JournalEntry, read_journal
+from birdcage.base.journal import Journal, read_journal
+from birdcage.base.journal_rows import JournalEntry
 from birdcage.base.store import open_database
 
 ONE = ("CREATE TABLE a (x INTEGER)",)
@@ -114,3 +115,14 @@ def test_a_full_queue_never_waits_and_counts_what_it_drops():
     assert writer.close()
     assert handled == [(["first"], 0), ([0, 1], 3), ([], 0)]
     assert writer.offer("late") is False
+
+
+def test_a_file_that_another_one_is_just_making_is_waited_for(tmp_path):
+    path = tmp_path / "x.sqlite"
+    other = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
+    other.execute("BEGIN EXCLUSIVE")
+    release = threading.Timer(0.2, lambda: other.execute("COMMIT"))
+    release.start()
+    open_database(path, [ONE]).close()
+    release.join()
+    other.close()

@@ -14,7 +14,10 @@ from birdcage.protocol.registry import FIRMWARE_REGISTRY
 from birdcage.rotator import machines
 
 ROOT = Path(__file__).parents[2]
-ROOMS = ("antenna", "station", "tracking", "signal", "pursuit", "calibration", "ready", "setup", "testing", "cli")
+ROOMS = (
+    "antenna", "station", "tracking", "signal", "pursuit", "calibration", "diagnostics", "ready", "setup", "testing",
+    "cli",
+)  # fmt: skip
 FOLDERS = [*(ROOT / "driver/src/birdcage" / room for room in ROOMS), ROOT / "tui/src/birdcage_tui"]
 SOURCES = sorted(path for folder in FOLDERS for path in folder.rglob("*.py"))
 

@@ -63,5 +63,35 @@ LEVELS = (
 )
 """How many readings a level is of, and what hooks have made."""
 
-MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN, LEVELS)
+HEALTH = (
+    "ALTER TABLE fault ADD COLUMN dish TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE fault ADD COLUMN axis TEXT NOT NULL DEFAULT ''",
+    "ALTER TABLE fault ADD COLUMN homing INTEGER NOT NULL DEFAULT 0",
+    "ALTER TABLE fault ADD COLUMN az_deg REAL",
+    "ALTER TABLE fault ADD COLUMN el_deg REAL",
+    """CREATE TABLE incident (
+        id INTEGER PRIMARY KEY, utc TEXT NOT NULL, dish TEXT NOT NULL, kind TEXT NOT NULL, moving INTEGER NOT NULL,
+        adapter TEXT NOT NULL, sentence TEXT NOT NULL
+    )""",
+    "CREATE INDEX incident_by_utc ON incident (utc)",
+    """CREATE TABLE reply_day (
+        dish TEXT NOT NULL, adapter TEXT NOT NULL, day TEXT NOT NULL, asked INTEGER NOT NULL,
+        unanswered INTEGER NOT NULL, late INTEGER NOT NULL, stray_bytes INTEGER NOT NULL,
+        PRIMARY KEY (dish, adapter, day)
+    )""",
+    """CREATE TABLE wear_day (
+        dish TEXT NOT NULL, axis INTEGER NOT NULL, day TEXT NOT NULL, moves INTEGER NOT NULL, degrees REAL NOT NULL,
+        reversals INTEGER NOT NULL, PRIMARY KEY (dish, axis, day)
+    )""",
+    """CREATE TABLE told_setting (
+        id INTEGER PRIMARY KEY, utc TEXT NOT NULL, dish TEXT NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL
+    )""",
+    """CREATE TABLE finding_seen (
+        dish TEXT NOT NULL, finding TEXT NOT NULL, utc TEXT NOT NULL, latest TEXT NOT NULL, grade REAL NOT NULL,
+        PRIMARY KEY (dish, finding)
+    )""",
+)
+"""What `birdcage.diagnostics` judges by: of which axis a fault is, what happened to dish and link, and sums by day."""
+
+MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN, LEVELS, HEALTH)
 """Of the whole file. Whoever opens it passes this, and does not take the others' tables for a newer program's."""

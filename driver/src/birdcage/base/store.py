@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+import time
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -16,6 +18,8 @@ if TYPE_CHECKING:
 
 BUSY_TIMEOUT_S = 5.0
 """How long to wait for another program that is writing."""
+RETRY_S = 0.01
+"""How long to wait before a file that another thread or program is just making is tried again."""
 
 Migration = Sequence[str]
 """The SQL statements that lead from one version to the next; they may call `clean` of `base.text`."""
@@ -38,7 +42,7 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
     except (OSError, sqlite3.Error) as error:
         raise StoreError(f"{path} cannot be opened: {error}. Check the folder and its permissions.") from error
     try:
-        connection.execute("PRAGMA journal_mode = WAL")
+        _use_wal(connection)
         connection.execute("PRAGMA synchronous = NORMAL")
         connection.execute("PRAGMA foreign_keys = ON")
         connection.create_function("clean", 1, _clean, deterministic=True)
@@ -55,6 +59,24 @@ def open_database(path: Path, migrations: Sequence[Migration]) -> sqlite3.Connec
         connection.close()
         raise
     return connection
+
+
+def _use_wal(connection: sqlite3.Connection) -> None:
+    """Keep readers and writers apart.
+
+    A file that somebody else makes at this moment is tried again, as SQLite heeds no timeout here.
+    """
+    import sqlite3
+
+    until = time.monotonic() + BUSY_TIMEOUT_S
+    while True:
+        try:
+            connection.execute("PRAGMA journal_mode = WAL")
+            return
+        except sqlite3.OperationalError as error:
+            if error.sqlite_errorcode != sqlite3.SQLITE_BUSY or time.monotonic() > until:
+                raise
+        threading.Event().wait(RETRY_S)
 
 
 def _clean(value: str | bytes | float | None) -> str | bytes | float | None:

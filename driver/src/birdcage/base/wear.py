@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from datetime import UTC, datetime
+from datetime import UTC, date, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,13 +40,13 @@ class WearBook:
         """Why wear is not being kept, in a sentence; None when all is well."""
         self._path = path
         self._connection: sqlite3.Connection | None = None
-        self._unwritten: dict[tuple[str, int], Wear] = {}
+        self._unwritten: dict[tuple[str, int, date], Wear] = {}
         """Of the writer's thread: what could not be written yet."""
-        self._writer: BackgroundWriter[tuple[str, Wear]] = BackgroundWriter("wear", self._write, size=1024)
+        self._writer: BackgroundWriter[tuple[str, date, Wear]] = BackgroundWriter("wear", self._write, size=1024)
 
-    def add(self, dish: str, wear: Wear) -> None:
-        """Add to what an axis of this dish has done. Returns at once."""
-        self._writer.offer((dish, wear))
+    def add(self, dish: str, wear: Wear, day: date | None = None) -> None:
+        """Add to what an axis of this dish has done, on a UTC day, by default today. Returns at once."""
+        self._writer.offer((dish, day or datetime.now(UTC).date(), wear))
 
     def flush(self, timeout_s: float = 2.0) -> bool:
         """Wait until all is on disk; False if that took too long."""
@@ -56,19 +56,20 @@ class WearBook:
         """Write what is waiting and end the thread."""
         self._writer.close(timeout_s)
 
-    def _write(self, items: list[tuple[str, Wear]], _dropped: int) -> None:
-        for dish, wear in items:
-            before = self._unwritten.get((dish, wear.axis))
-            self._unwritten[dish, wear.axis] = wear if before is None else _sum(before, wear)
+    def _write(self, items: list[tuple[str, date, Wear]], _dropped: int) -> None:
+        for dish, day, wear in items:
+            before = self._unwritten.get((dish, wear.axis, day))
+            self._unwritten[dish, wear.axis, day] = wear if before is None else _sum(before, wear)
         if not self._unwritten:
             return
         import sqlite3  # when there is something to keep: a face paints without it
 
         now = datetime.now(UTC).isoformat(timespec="seconds")
-        rows = [
-            (dish, axis, wear.moves, wear.degrees, wear.reversals, now)
-            for (dish, axis), wear in self._unwritten.items()
+        days = [
+            (dish, wear.axis, day.isoformat(), wear.moves, wear.degrees, wear.reversals)
+            for (dish, _axis, day), wear in self._unwritten.items()
         ]
+        rows = [(dish, axis, moves, degrees, turns, now) for dish, axis, _day, moves, degrees, turns in days]
         try:
             if self._connection is None:
                 self._connection = open_database(self._path, MIGRATIONS)
@@ -78,6 +79,12 @@ class WearBook:
                 ON CONFLICT (dish, axis) DO UPDATE SET moves = moves + excluded.moves,
                 degrees = degrees + excluded.degrees, reversals = reversals + excluded.reversals""",
                 rows,
+            )
+            self._connection.executemany(
+                """INSERT INTO wear_day (dish, axis, day, moves, degrees, reversals) VALUES (?, ?, ?, ?, ?, ?)
+                ON CONFLICT (dish, axis, day) DO UPDATE SET moves = moves + excluded.moves,
+                degrees = degrees + excluded.degrees, reversals = reversals + excluded.reversals""",
+                days,
             )
             self._connection.execute("COMMIT")
             self._unwritten.clear()

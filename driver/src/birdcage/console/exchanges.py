@@ -36,6 +36,8 @@ class Exchanges:
         """How long the last line that was answered took, from its first byte out to its prompt."""
         self.answered = 0
         """How many lines in a row, up to the last one, were answered in time."""
+        self.asked = self.unanswered = self.late_answers = 0
+        """How many lines were waited for, how many of them in vain, and how many longer than a stream of them can."""
         self.on_busy: Callable[[], None] = lambda: None
         """Told, once a line, that the dish is still busy with what came before it."""
 
@@ -88,11 +90,11 @@ class Exchanges:
             late.drop()
             raise
         if reply is None:
-            self.answered = 0
+            self.answered, self.asked, self.late_answers = 0, self.asked + 1, self.late_answers + 1
             late.add(ticket, line, sent, proves=proves)
             raise NoReply(f"No answer to `{line}` on {wire.link.name} within {patience_s:.2f} s.", reason=LATE)
         self.round_trip_s = self.took_s = clock.monotonic() - sent
-        self.answered += 1
+        self._count(reply)
         late.answered(ticket, line, sent, proves=proves)
         return reply
 
@@ -119,7 +121,7 @@ class Exchanges:
         except BaseException:
             wire.forget(ticket)
             raise
-        self.answered = 0 if reply is None else self.answered + 1
+        self._count(reply)
         if reply is None:
             strange = None if wire.token else stranger(wire.dialect, wire.codec.unfinished)
             wire.forget(ticket)
@@ -148,7 +150,7 @@ class Exchanges:
         except BaseException:
             wire.forget(ticket)
             raise
-        self.answered = 0 if reply is None else self.answered + 1
+        self._count(reply)
         if reply is None:
             wire.forget(ticket)
             if lines:
@@ -156,6 +158,12 @@ class Exchanges:
             raise no_reply(wire.link.name, line, bytes(wire.seen), clock.monotonic() - sent)
         self.took_s = clock.monotonic() - sent
         return reply
+
+    def _count(self, reply: Reply | None) -> None:
+        """Take in that a line was answered, or was given up."""
+        self.asked += 1
+        self.answered = 0 if reply is None else self.answered + 1
+        self.unanswered += reply is None
 
     def _is_answered_by(self, until: float, ticket: int, on_line: LineSink | None) -> bool:
         while self._wire.codec.owes(ticket):

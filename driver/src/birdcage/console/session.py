@@ -77,6 +77,21 @@ class Console:
         """See `Exchanges`."""
         return self._exchanges.answered
 
+    @property
+    def asked(self) -> int:
+        """See `Exchanges`, as for the two below."""
+        return self._exchanges.asked
+
+    @property
+    def unanswered(self) -> int:
+        """Lines that were waited for in vain."""
+        return self._exchanges.unanswered
+
+    @property
+    def late(self) -> int:
+        """Lines of a stream whose answer came late, or not at all."""
+        return self._exchanges.late_answers
+
     def hear_busy(self, on_busy: Callable[[], None]) -> None:
         """Have it told, once a line, that the dish is still busy with what came before it."""
         self._exchanges.on_busy = on_busy

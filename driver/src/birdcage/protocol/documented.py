@@ -59,14 +59,14 @@ class CallLine:
 
     place: str | None = None
     is_settled = True
-    stray_bytes = 0
+    late = stray_bytes = 0
 
     def __init__(self, clock: Clock, delay_s: float = 0.0) -> None:
         self._clock, self.delay_s = clock, delay_s
         self.last_reply: float | None = None
         self.round_trip_s: float | None = None
         self.took_s = 0.0
-        self.answered = 0
+        self.answered = self.asked = self.unanswered = 0
         self._began: float | None = None
 
     def unanswered_s(self) -> float:
@@ -79,6 +79,7 @@ class CallLine:
         """Time one call. LinkError where its port fails."""
         began = self._began = self._clock.monotonic()
         answered, self.answered = self.answered, 0
+        self.asked, unanswered, self.unanswered = self.asked + 1, self.unanswered, self.unanswered + 1
         try:
             yield
         except OSError as error:
@@ -86,7 +87,7 @@ class CallLine:
         finally:
             self._began = None
         self.last_reply = self._clock.monotonic()
-        self.took_s, self.answered = self.last_reply - began, answered + 1
+        self.took_s, self.answered, self.unanswered = self.last_reply - began, answered + 1, unanswered
 
 
 class DocumentedRotator(MenuRotator):

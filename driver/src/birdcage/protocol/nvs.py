@@ -11,6 +11,7 @@ from birdcage.rotator.own_settings import SettingRow
 from birdcage.rotator.setting_values import SettingValue, typed
 
 DISABLE_TRACKER = 20
+SLEEP = 38
 MIN_ELEVATION = 101
 MAX_ELEVATION = 102
 

@@ -120,6 +120,10 @@ class Handling:
     """How its base is marked."""
     home_remedies: Mapping[str, str] = field(default_factory=dict)
     """What helps an axis that fails to home, by the name of the axis."""
+    stow_by_hand: str = ""
+    """How it is folded when its electronics are dead."""
+    supply: str = ""
+    """What it is fed with."""
 
 
 def _no_axis(role: Role, span_deg: float) -> Axis:

@@ -29,6 +29,9 @@ class PlainLine:
     round_trip_s: float | None = None
     took_s: float = 0.0
     answered: int = 0
+    asked: int = 0
+    unanswered: int = 0
+    late: int = 0
     stray_bytes: int = 0
 
     def unanswered_s(self) -> float:
@@ -38,11 +41,11 @@ class PlainLine:
     def note(self, asked_at: float, now: float) -> None:
         """Take in that what was asked at one time was answered now."""
         self.took_s = self.round_trip_s = now - asked_at
-        self.last_reply, self.answered = now, self.answered + 1
+        self.last_reply, self.answered, self.asked = now, self.answered + 1, self.asked + 1
 
     def note_silence(self) -> None:
         """Take in that an answer did not come."""
-        self.answered = 0
+        self.answered, self.asked, self.unanswered = 0, self.asked + 1, self.unanswered + 1
 
 
 class PlainRotator:

@@ -45,6 +45,18 @@ class LineStatus(Protocol):
         """How many exchanges in a row, up to the last one, were answered in time."""
 
     @property
+    def asked(self) -> int:
+        """How many lines were sent that are to be answered, since it was opened; what STOP writes does not count."""
+
+    @property
+    def unanswered(self) -> int:
+        """How many of them were given up: no answer came in time, or none that could be read."""
+
+    @property
+    def late(self) -> int:
+        """How many of a stream of targets were not answered as soon as the stream could wait."""
+
+    @property
     def stray_bytes(self) -> int:
         """How many bytes came that nothing asked for, or that could not be read."""
 

@@ -94,7 +94,7 @@ def open_session(
     )
     station = Station(clock, station_settings) if antenna is None else Station.adopt(antenna, clock, station_settings)
     narrate(station, transcript)
-    keep_journal(station, journal)
+    replies = keep_journal(station, journal, lambda name: identity(name) or name)
     tally = keep_wear(station, wear)
     hooks = settings.hooks
     event_hooks = None if hooks.on_event is None else EventHooks(station, hooks.on_event, hooks.deadline_s)
@@ -105,6 +105,7 @@ def open_session(
             event_hooks.close(CLOSE_S)
         held_keeper.close(CLOSE_S)
         tally.write()
+        replies.write()
         wear.close(CLOSE_S)
         journal.close(CLOSE_S)
         transcript.close(CLOSE_S)

@@ -142,6 +142,8 @@ class Connection:
 
     def silent(self, silence: BirdcageError) -> None:
         """The port is there, the dish does not answer, or not what was asked."""
+        if self._rotator.is_open:
+            self.note_reply()  # that one was lost while the dish answered; what is tried from now on does not count
         self._forget()
         now, link = self._store.clock.monotonic(), self._store.state.link
         self.due = now + SILENT_RETRY_S
@@ -158,9 +160,16 @@ class Connection:
         """Copy the console's own figures into the state."""
         line, state = self._rotator.line, self._store.state
         link = state.link
-        told = line.last_reply, line.round_trip_s, line.stray_bytes, line.place
-        if told != (link.last_reply, link.round_trip_s, link.stray_bytes, state.menu):
-            link = replace(link, last_reply=told[0], round_trip_s=told[1], stray_bytes=told[2])
+        told = (
+            line.last_reply, line.round_trip_s, line.stray_bytes, line.asked, line.unanswered, line.late, line.place,
+        )  # fmt: skip
+        if told != (
+            link.last_reply, link.round_trip_s, link.stray_bytes, link.asked, link.unanswered, link.late, state.menu,
+        ):  # fmt: skip
+            link = replace(
+                link, last_reply=told[0], round_trip_s=told[1], stray_bytes=told[2], asked=told[3], unanswered=told[4],
+                late=told[5],
+            )  # fmt: skip
             self._store.change(link=link, menu=line.place)
 
     def _retry_later(self, state: LinkPhase, detail: str, reason: Reason | None = None) -> None:

@@ -11,7 +11,7 @@ from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
-from birdcage.station.events import End, FaultRaised, TranscriptLine
+from birdcage.station.events import DishRestarted, End, FaultRaised, TranscriptLine
 from birdcage.station.feature_watch import FeatureWatch
 from birdcage.station.parts import Parts
 from birdcage.station.stalls import MotorFault, blocked, motor_fault
@@ -209,12 +209,14 @@ class DishMonitor:
         """Read the position twice in short order, to see whether the dish moves."""
         self._look_again_at = self._store.clock.monotonic() + UNASKED_POLL_S
 
-    def _stalled(self, sentence: str) -> None:
+    def _stalled(self, axis: str, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
-        self._raise_stall(blocked("", sentence))
+        self._raise_stall(blocked(axis, sentence))
 
-    def _raise_stall(self, fault: MotorFault) -> None:
-        self.raise_fault(FaultReason.STALL, fault.what, fault.meaning, fault.remedy)
+    def _raise_stall(self, found: MotorFault) -> None:
+        self.raise_fault(
+            FaultReason.STALL, found.what, found.meaning, found.remedy, axis=found.axis, homing=found.homing
+        )
 
     def _speed_stuck(self, sentence: str) -> None:
         """A speed that was changed for a while could not be put back."""
@@ -234,10 +236,14 @@ class DishMonitor:
             "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
         )  # fmt: skip
 
-    def raise_fault(self, reason: FaultReason, what: str, meaning: str, remedy: str) -> None:
+    def raise_fault(
+        self, reason: FaultReason, what: str, meaning: str, remedy: str, *, axis: str = "", homing: bool = False
+    ) -> None:  # fmt: skip
         """Stop asking for motion, and say so until a person acknowledges."""
         at, utc = self._store.stamp()
-        fault = Fault(reason, what, meaning, remedy, utc)
+        stood = self._store.state.position if self._store.state.position_lost is None else None
+        az_deg, el_deg = (None, None) if stood is None else (stood.az_deg, stood.el_deg)
+        fault = Fault(reason, what, meaning, remedy, utc, axis, homing, az_deg, el_deg)
         self._store.change(fault=fault)
         self._store.tell(FaultRaised(at, utc, fault))
         self._control.hold("birdcage", HeldReason.FAULT)
@@ -260,9 +266,11 @@ class DishMonitor:
     def restarted(self, line: str) -> None:
         """Hear a line that tells that the dish has just started: it has forgotten everything."""
         self._store.tell(TranscriptLine(*self._store.stamp(), "<", line))
+        fault = self._store.state.fault
+        if self._starting.begins_by(line.strip()):
+            self._store.tell(DishRestarted(*self._store.stamp(), line.strip(), self._met))
         self._starting.ended()
         self._parts.signals.restarted()
-        fault = self._store.state.fault
         if not self._met:
             self._mover.activity(Activity.INITIALIZING, line.strip())
         elif fault is None or fault.reason is not FaultReason.REBOOT:

@@ -120,6 +120,16 @@ class FaultAcknowledged(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class DishRestarted(Event):
+    """The dish was heard to start: its boot text came."""
+
+    said: str
+    """The line of it that told so."""
+    was_met: bool
+    """Whether it had answered this program before: else it may have been switched on just now."""
+
+
+@dataclass(frozen=True, slots=True)
 class ReadingRead(Event):
     """A value was read from the dish."""
 

@@ -260,9 +260,21 @@ class Mover(ABC):
 
     def stuck(self, sentence: str) -> None:
         """The dish does not get to its target: end the motion and raise the fault."""
+        axis = self._furthest_axis()
         self.fail(End.FAULT, sentence, Stopped(sentence, reason=Reason.STALL))
         self._antenna.moving.end()  # STOP must not send it to its target once more
-        self._signals.stalled(sentence)
+        self._signals.stalled(axis, sentence)
+
+    def _furthest_axis(self) -> str:
+        """Return the name of the axis that is furthest from its target; empty where that is not known."""
+        job, pointing, facts = self._job, self._store.state.position, self._antenna.model
+        if job is None or pointing is None:
+            return ""
+        if job.skew_deg is not None:
+            return facts.skew.name if facts.skew is not None else ""
+        az_deg, el_deg = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
+        off_az_deg = abs(shortest_turn(az_deg, pointing.dish_az_deg))
+        return (facts.azimuth if off_az_deg >= abs(el_deg - pointing.dish_el_deg) else facts.elevation).name
 
     def _arrive(self, job: Job, pointing: Pointing) -> None:
         self._job, self.due = None, None

@@ -9,6 +9,7 @@ from birdcage.link.transcript_line import TranscriptEntry
 from birdcage.station.events import (
     ActivityChanged,
     ClientIgnored,
+    DishRestarted,
     Event,
     FaultAcknowledged,
     FaultRaised,
@@ -88,6 +89,8 @@ def words_of(event: Event) -> str:
             return f"{task.kind} by {task.holder}: {task.phase.value}{how_far} {task.why}".rstrip()
         case ClientIgnored():
             return f"{event.client} is ignored: {event.why}"
+        case DishRestarted():
+            return f"the dish has started: {event.said}"
         case Recovered(sentence=sentence):
             return sentence
         case NotNowChanged(sentence=sentence):

@@ -40,8 +40,8 @@ class Signals:
     """The gate has a position that was just read; nothing is told of it yet."""
     forgotten: Signal[[]] = field(default_factory=Signal)
     """The dish was homed and no longer is, though nothing was asked of it."""
-    stalled: Signal[[str]] = field(default_factory=Signal)
-    """The dish stands still away from its target; with a sentence."""
+    stalled: Signal[[str, str]] = field(default_factory=Signal)
+    """The dish stands still away from its target; with the axis that is furthest from it, and a sentence."""
     astray: Signal[[]] = field(default_factory=Signal)
     """The dish moves on though its motion must be over."""
     waits: Signal[[]] = field(default_factory=Signal)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.mover import Mover
@@ -19,6 +21,16 @@ class Starting:
     def __init__(self, store: StateStore, antenna: BirdcageAntenna, mover: Mover) -> None:
         self._store, self._antenna, self._mover = store, antenna, mover
         self._heard = 0
+        self._marks: set[str] = set()
+        """The boot marks of the last start that was heard."""
+        self._mark_at = -math.inf
+
+    def begins_by(self, mark: str) -> bool:
+        """Take in a boot mark; return whether another start began than the one before, as each comes once in one."""
+        now = self._store.clock.monotonic()
+        is_new = mark in self._marks or now > self._mark_at + self._antenna.rotator.facts.boot_s
+        self._marks, self._mark_at = ({mark} if is_new else self._marks | {mark}), now
+        return is_new
 
     def hear(self, line: str, *, met: bool) -> None:
         """Take in an unsolicited line; a log that streams while nothing answers is shown."""

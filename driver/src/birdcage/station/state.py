@@ -121,6 +121,12 @@ class LinkState:
     """Why it is silent or lost; None while it is neither."""
     stray_bytes: int = 0
     """Bytes of line noise since the link came up."""
+    asked: int = 0
+    """Lines that were sent since the link came up, and wait for their answer or have had it."""
+    unanswered: int = 0
+    """How many of them got no answer, or none that could be read."""
+    late: int = 0
+    """How many got theirs later than the stream of targets could wait for it, or not at all."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -241,6 +247,13 @@ class Fault:
     meaning: str
     remedy: str
     utc: datetime
+    axis: str = ""
+    """The name of the axis that it is of; empty where it is of none, or of an unknown one."""
+    homing: bool = False
+    """Whether that axis failed to find its reference: its angles mean nothing then."""
+    az_deg: float | None = None
+    """True direction where the dish stood; None where that was not known."""
+    el_deg: float | None = None
 
     @property
     def is_of_power(self) -> bool:

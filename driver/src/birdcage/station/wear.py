@@ -47,9 +47,9 @@ class WearTally:
         state = self._station.state
         if state.dish is None:
             return
-        key = dish_key(state.dish.name, demo=state.demo)
+        key, day = dish_key(state.dish.name, demo=state.demo), self._station.clock.utc().date()
         for axis, (moves, degrees, reversals) in self._sums.items():
-            self._book.add(key, Wear(axis, int(moves), degrees, int(reversals)))
+            self._book.add(key, Wear(axis, int(moves), degrees, int(reversals)), day)
         self._sums.clear()
 
 

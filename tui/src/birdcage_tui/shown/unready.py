@@ -23,7 +23,7 @@ SETUP_STEPS = {
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class Unready:
     """One line for *What next*."""
 
     ink: str
@@ -38,7 +38,7 @@ class Finding:
     """The step of the setup that the cursor is put on; empty for none."""
 
 
-def worst(view: View) -> Finding | None:
+def worst(view: View) -> Unready | None:
     """Return the worst of what is not ready; None where nothing is, or nothing is known yet."""
     left = [check for check in view.ready or () if _lacks(check, view)]
     if not left:
@@ -49,7 +49,7 @@ def worst(view: View) -> Finding | None:
     words = f"{glyph} {sentence} {key}: {deed}." if key and deed else f"{glyph} {sentence}"
     brief = BRIEF.get(check.subject, "") if check.state == "must" and key else ""
     step = SETUP_STEPS.get(check.subject, "") if command == SETUP else ""
-    return Finding(ink, words, brief, command, f"{glyph} {sentence}", step)
+    return Unready(ink, words, brief, command, f"{glyph} {sentence}", step)
 
 
 def setup_step(view: View) -> str:

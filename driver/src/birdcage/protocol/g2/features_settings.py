@@ -8,8 +8,18 @@ from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
 from birdcage.protocol.g2.feature_rows import Question, in_lines, one, told, under
 from birdcage.protocol.g2.motors import CEILING, FLOOR, HOME
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, NvsRow, row_label
-from birdcage.rotator.feature import SETTINGS, TV_SEARCH, Feature, FeatureKind, FeaturePage, Range, Value, Writer
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, SLEEP, NvsRow, row_label
+from birdcage.rotator.feature import (
+    SETTINGS,
+    SLEEP_TIMER,
+    TV_SEARCH,
+    Feature,
+    FeatureKind,
+    FeaturePage,
+    Range,
+    Value,
+    Writer,
+)
 from birdcage.rotator.feature_table import FeatureRow
 
 _PAGE = FeaturePage.SETTINGS
@@ -22,13 +32,17 @@ _SEARCH_HAZARD = (
 
 def angle_of(row: NvsRow) -> float:
     """Return the angle in force that a setting holds, in degrees. NoReply (`garbage`) where it is no number."""
+    return _number_of(row, "angle")
+
+
+def _number_of(row: NvsRow, what: str) -> float:
     try:
         value = float(row.current)
     except ValueError:
         value = math.nan
     if not math.isfinite(value):
         raise NoReply(
-            f"The dish showed {row.current!r} in NVS row {row.index}, which is no angle.", reason=Reason.GARBAGE
+            f"The dish showed {row.current!r} in NVS row {row.index}, which is no {what}.", reason=Reason.GARBAGE
         )
     return value
 
@@ -64,10 +78,15 @@ _ELEVATIONS = (
     *told(Question("mot", "elminmaxhome"), lambda dish: dish.motors.elevation_limits(),
           _angle(HOME, "Elevation after homing")),
 )  # fmt: skip
+_SLEEP = one(
+    _row(f"d {SLEEP}"), lambda dish: _number_of(dish.read_nvs(SLEEP), "time"),
+    Feature(SLEEP_TIMER, f"Sleep timer ({row_label(SLEEP)})", "s", note="What sleep does to the console is unknown."),
+)  # fmt: skip
 _ALL = in_lines(_row("d"), lambda dish: dish.settings_table(), SETTINGS, "All settings (NVS)")
 
 SETTINGS_ROWS = (
     *under(_PAGE, "Elevation", *_ELEVATIONS),
     *under(_PAGE, "TV search", _TV_SEARCH),
+    *under(_PAGE, "Sleep", _SLEEP),
     *under(_PAGE, "All settings", _ALL),
 )

@@ -34,10 +34,16 @@ HANDLING = Handling(
     north="BACK on its base is azimuth 0: turn it to true north, or measure it.",
     home_remedies={
         "elevation": (
-            "At the indoor unit press POWER, hold ENTER for 2 s, choose INSTALLATION, then Calibrate EL, and confirm "
-            "at its hard stop. Then switch the dish off and on."
+            "At the indoor unit press POWER, hold ENTER for 2 s (User Menu), choose INSTALLATION, then Calibrate EL, "
+            "and confirm at its hard stop. Then switch the dish off and on."
         )
     },
+    stow_by_hand=(
+        "Last resort, to fold it by hand: cut its power. Put a 5/16 in socket with a 6 in extension into the auxiliary "
+        "drive hole, and turn clockwise, slowly. Before the arm comes down, it must face the rear label. Done wrongly, "
+        "this damages the motor."
+    ),
+    supply="Its indoor unit takes 48 to 52 V DC in some papers, 12 V DC in others: go by its label.",
 )
 """From the papers of the SK-1000 and its owners (`docs/safety.md`)."""
 

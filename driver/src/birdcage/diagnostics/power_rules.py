@@ -1,0 +1,195 @@
+"""What restarts and silences say of the supply, the link and the dish's console."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+
+from birdcage.base.journal_rows import DishIncident, IncidentKind
+from birdcage.diagnostics.examination import Examination
+from birdcage.diagnostics.finding import Finding, Urgency
+from birdcage.diagnostics.wording import how_often, many, times
+from birdcage.rotator.facts import SearchSwitch
+from birdcage.station.state import FaultReason, LinkPhase, TvSearch
+
+SWITCHED_OFF = timedelta(seconds=30)
+"""A dish that was silent for longer before its boot text was without power: somebody's switch, or a cut."""
+SHORT_GAP = timedelta(minutes=10)
+"""A silence that ends within this, with no restart, is of the link and not of somebody's switch."""
+FEW = 3
+"""So many restarts or losses are no accident any more."""
+
+
+@dataclass(frozen=True, slots=True)
+class Outage:
+    """From the moment when the dish was out of reach until it was heard again."""
+
+    began: DishIncident
+    ended: DishIncident | None
+    """How: a restart, or an answer; None where that is not known."""
+
+    @property
+    def restarted(self) -> bool:
+        """Whether it came back by a restart."""
+        return self.ended is not None and self.ended.kind in (IncidentKind.RESTART, IncidentKind.START)
+
+    @property
+    def lasted(self) -> timedelta | None:
+        """How long it was; None where that is not known."""
+        return None if self.ended is None else self.ended.utc - self.began.utc
+
+
+def outages(seen: Examination) -> list[Outage]:
+    """Return the outages of the days that are judged, oldest first."""
+    found: list[Outage] = []
+    for each in seen.history.incidents:
+        is_open = bool(found) and found[-1].ended is None
+        if each.kind in (IncidentKind.SILENT, IncidentKind.LOST):
+            found.append(Outage(each, None))
+        elif is_open:
+            found[-1] = Outage(found[-1].began, each)
+    return [each for each in found if each.began.utc >= seen.history.begin]
+
+
+def restarts(seen: Examination) -> Iterator[Finding]:
+    """Restarts by themselves. While the dish moves they speak for a supply that sags under the motors."""
+    switched = {
+        id(each.ended) for each in outages(seen)
+        if each.restarted and each.lasted is not None and each.lasted > SWITCHED_OFF
+    }  # fmt: skip
+    heard = [each for each in seen.history.recent_incidents(IncidentKind.RESTART) if id(each) not in switched]
+    forgot = [each.utc for each in seen.of_reason(FaultReason.UNHOMED)]
+    moments = sorted([each.utc for each in heard] + forgot)
+    if not moments:
+        return
+    count, moving = len(moments), sum(each.moving for each in heard)
+    what = f"The dish restarted by itself {how_often(moments, seen.now)}"
+    meaning = _after_a_restart(seen)
+    if count > 1 and 2 * moving >= count:
+        supply = "" if seen.facts is None else seen.facts.handling.supply
+        yield Finding(
+            "restarts", Urgency.STOPS,
+            f"{what}, {_of(moving, count)} while it moved. Its supply is too weak, or loses too much on the way.",
+            f"Motors draw the most when they start: the voltage dips, and the dish begins anew. {meaning}".strip(),
+            (
+                f"Measure the voltage at the dish while both axes move. It must not dip. {supply}".strip(),
+                "Use a shorter or thicker cable, and a supply that gives more current. Check every plug on the way.",
+                seen.home_it,
+            ),
+            moments[0], moments[-1], count,
+        )  # fmt: skip
+        return
+    yield Finding(
+        "restarts", Urgency.WILL_STOP if count >= FEW else Urgency.NOTE, f"{what}.",
+        f"{many(moving, 'restart')} came while it moved. {meaning}".strip()
+        if moving else f"It was at rest. {meaning}".strip(),
+        (
+            "Did somebody switch it off and on? If not, look for a loose contact: power plug, switch, supply.",
+            seen.home_it,
+        ),
+        moments[0], moments[-1], count,
+    )  # fmt: skip
+
+
+def _after_a_restart(seen: Examination) -> str:
+    facts, words = seen.facts, []
+    if facts is None or not facts.never_homes:
+        words.append("After a restart it does not know where it points until it has homed.")
+    is_off = seen.answers and seen.state.search in (TvSearch.OFF, TvSearch.NONE)
+    if not is_off and (facts is None or facts.search_switch is not SearchSwitch.NEVER_SEARCHES):
+        words.append("It may start its TV search, too, and move by itself.")
+    return " ".join(words)
+
+
+def _of(part: int, count: int) -> str:
+    return {2: "both times"}.get(count, "each time") if part == count else f"{times(part)} of them"
+
+
+def deadlocks(seen: Examination) -> Iterator[Finding]:
+    """Silences in mid-move that only a restart has ended."""
+    found = [
+        each for each in outages(seen)
+        if each.began.kind is IncidentKind.SILENT and each.began.moving and each.restarted
+        and each.lasted is not None and each.lasted > SWITCHED_OFF
+    ]  # fmt: skip
+    if found:
+        moments = [each.began.utc for each in found]
+        yield Finding(
+            "deadlock", Urgency.STOPS if seen.is_recent(moments[-1]) else Urgency.WILL_STOP,
+            f"The dish fell silent in mid-move {how_often(moments, seen.now)}. Only a restart brought it back.",
+            "Its console may have deadlocked: no command, and so no STOP, reaches it then. Or its power failed.",
+            (
+                f"Keep the {seen.switch} in reach while it moves: nothing else ends a deadlock.",
+                f"When it is silent again: off for ten seconds, then on. {seen.home_it}",
+                "Was a line typed on F5 just before? Leave that command out.",
+            ),
+            moments[0], moments[-1], len(found),
+        )  # fmt: skip
+
+
+def silent_now(seen: Examination) -> Iterator[Finding]:
+    """A dish or a port that is out of reach at this moment."""
+    link = seen.state.link
+    if link.state is LinkPhase.SILENT:
+        yield Finding(
+            "silent", Urgency.STOPS, "The dish does not answer.", link.detail or "Its port is there.",
+            (
+                "Has it power? Look at its lamp or its motor. Then check the plug at the dish and at the adapter.",
+                f"If it has power: off at its {seen.switch}, wait ten seconds, and on. {seen.home_it}",
+                "If it never answered here: F8 or `birdcage setup` finds the cause.",
+            ),
+            lasts=True,
+        )  # fmt: skip
+    elif link.state is LinkPhase.LOST and link.reason is not None:
+        yield Finding(
+            "port", Urgency.STOPS, "The port of the dish is gone.", link.detail,
+            ("Plug the adapter in. `birdcage ports` lists what is there.",), lasts=True,
+        )  # fmt: skip
+
+
+def losses(seen: Examination) -> Iterator[Finding]:
+    """An adapter that disappears, and a dish that is out of hearing for moments."""
+    lost = seen.history.recent_incidents(IncidentKind.LOST)
+    if len(lost) >= FEW:
+        moments = [each.utc for each in lost]
+        yield Finding(
+            "port_lost", _pressing(seen, moments), f"The port of the dish went away {how_often(moments, seen.now)}.",
+            "The computer lost its adapter: a loose plug, a long or poor USB cable, or a hub without enough power. "
+            "While it is gone, STOP can't be sent.",
+            (
+                "Plug the adapter into the computer itself, with a short cable.",
+                "If it goes on, try another adapter: `birdcage wiring adapters` lists those that work.",
+            ),
+            moments[0], moments[-1], len(lost),
+        )  # fmt: skip
+    short = [
+        each for each in outages(seen)
+        if each.began.kind is IncidentKind.SILENT and not each.restarted
+        and each.lasted is not None and each.lasted <= SHORT_GAP
+    ]  # fmt: skip
+    if len(short) >= FEW:
+        moments = [each.began.utc for each in short]
+        moving = sum(each.began.moving for each in short)
+        yield Finding(
+            "gaps", _pressing(seen, moments),
+            f"The dish was out of hearing {how_often(moments, seen.now)}, and came back by itself.",
+            f"{many(moving, 'time')} it was moving. A contact that opens for moments does that."
+            if moving else "A contact that opens for moments does that.",
+            (
+                "Move the plugs at the dish and at the adapter while you watch F5: where it breaks, clean or replace.",
+                "Does it happen at one azimuth? Then a wire breaks inside the cable where it bends.",
+            ),
+            moments[0], moments[-1], len(short),
+        )  # fmt: skip
+
+
+def _pressing(seen: Examination, moments: list[datetime]) -> Urgency:
+    day = [each for each in moments if each > seen.now - timedelta(days=1)]
+    return Urgency.STOPS if len(day) >= FEW else Urgency.WILL_STOP
+
+
+def last_restart(seen: Examination) -> DishIncident | None:
+    """Return the last restart that was heard, whoever caused it; None if there was none."""
+    heard = seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
+    return heard[-1] if heard else None
