@@ -46,6 +46,11 @@ class NvsRow:
         return SettingRow(self.index, self.name, self.current, self.saved, self.default)
 
     @property
+    def is_of_one_kind(self) -> bool:
+        """Whether all three values are switches, whole numbers, decimals or other text."""
+        return len({type(each) for each in (self.value, self.saved_value, self.default_value)}) == 1
+
+    @property
     def value(self) -> SettingValue:
         """The value in force, typed."""
         return typed(self.current)
@@ -81,11 +86,15 @@ def parse_nvs(lines: Iterable[str]) -> dict[int, NvsRow]:
 
 
 def parse_once(lines: Iterable[str]) -> dict[int, NvsRow]:
-    """Return the rows as `parse_nvs`, but those whose index is printed twice: which one counts is not known."""
+    """Return the rows as `parse_nvs`, but none that may be misread.
+
+    An index that is printed twice is none: which one counts is not known. Three values that are not of one kind are
+    the words of a line of another form.
+    """
     found = [match for match in map(_ROW.match, lines) if match]
     often = Counter(int(match[1]) for match in found)
     rows = parse_nvs(match[0] for match in found)
-    return {index: row for index, row in rows.items() if often[index] == 1}
+    return {index: row for index, row in rows.items() if often[index] == 1 and row.is_of_one_kind}
 
 
 def parse_edit(lines: Iterable[str]) -> NvsEdit | None:

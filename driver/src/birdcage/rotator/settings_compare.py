@@ -13,7 +13,7 @@ from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTabl
 from birdcage.rotator.setting_values import given_value, same_value
 from birdcage.rotator.settings_file import SettingsDump
 
-_INDEX = re.compile(r"\s*(\d{1,6})\)", re.ASCII)
+_INDEX = re.compile(r"\s*(\d{1,6})(?!\w)", re.ASCII)
 _NOTHING_SENT = "Nothing was sent."
 
 

@@ -38,7 +38,7 @@ class G2Board:
         self.stance = Stance(settings)
         self.tuner = SimTuner(self)
         self._adc_rng = seeded("adc", settings.seed)
-        self.nvram = Nvram(self._own_values())
+        self.nvram = Nvram(self._own_values(), settings)
         self.sleep = Sleep(self)
         self.power_on()
 

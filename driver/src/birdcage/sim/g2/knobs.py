@@ -30,6 +30,8 @@ class G2Settings(SimSettings):
         "sweep_key": ("ignore", "abort"),
         "xponder_style": ("plain", "labelled", "blank"),
         "sleep": ("none", "silent", "wake"),
+        "nvs_rows": ("known", "all"),
+        "nvs_hex": ("either", "prefix", "decimal"),
         "second_move": ("retarget", "queue", "in_turn", "refuse", "block"),
         "second_other": ("together", "block"),
         "move_reply": ("angle", "none", "np"),
@@ -164,6 +166,13 @@ class G2Settings(SimSettings):
     sleep: str = "none"
     """What comes after NVS 38 seconds without input: nothing; the console is silent until power-on; or the next byte
     wakes it and is lost (open)."""
+
+    nvs_rows: str = "known"
+    """Which rows NVS> has: those that a source names (noted), or all from 0 to 149. What the others are called, and
+    what they hold, is made up: three of their lines have a form of their own (open)."""
+    nvs_hex: str = "either"
+    """How a row that prints `0x%08X` takes a value: with or without `0x`, with it alone, or as a decimal number up to
+    its first letter, so that `0x7` is 0 (open)."""
 
     # The dish itself: how it homes, moves and tells.
     nvs20: bool = True

@@ -1,6 +1,7 @@
 """The G2's settings memory: RAM, flash and factory values (docs/reference/g2-settings.md, *Rows*).
 
-Only the rows that a source quotes are here; the others are holes, as an index that does not exist.
+Only the rows that a source quotes are here; the others are holes, as an index that does not exist. With `nvs_rows=all`
+every index up to 149 exists: what the others are called is made up, and three lines have a form of their own.
 """
 
 from __future__ import annotations
@@ -9,6 +10,8 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
+
+from birdcage.sim.g2.knobs import G2Settings
 
 Kind = Literal["hex", "int", "signed", "fixed", "bool"]
 
@@ -74,12 +77,32 @@ AZ_GAINS, EL_GAINS = 128, 131
 """Their first rows: Kp, Kv and Ki follow each other."""
 
 
+ODD_LINES = {
+    142: "142) Serial                     ODU 4711 A",
+    143: "143] Calibration date             2026-02-12  2026-02-12",
+    144: "144) A name that is far longer than its column           7           7           7",
+}
+"""Lines with which no other row shares its form (made up)."""
+ALL_ROWS = 150
+
+
+def spare_rows() -> dict[int, NvramSetting]:
+    """Return a row for each index that no source quotes."""
+    kinds: tuple[Kind, ...] = ("int", "fixed", "hex", "bool", "signed")
+    free = (index for index in range(ALL_ROWS) if index not in ROWS and index not in ODD_LINES)
+    return {index: NvramSetting(f"Spare {index}", kinds[index % 5], float(index % 2)) for index in free}
+
+
 class Nvram:
     """RAM and flash. `active` is what the firmware read at power-on and goes by until the next (written for 20)."""
 
-    def __init__(self, saved: Mapping[int, float]) -> None:
+    def __init__(self, saved: Mapping[int, float], settings: G2Settings) -> None:
         """Hold the factory's values, but for those `saved` before."""
-        self.flash = {index: row.default for index, row in ROWS.items()} | dict(saved)
+        shows_all = settings.nvs_rows == "all"
+        self.rows = ROWS | (spare_rows() if shows_all else {})
+        self.odd_lines = ODD_LINES if shows_all else {}
+        self._takes_hex = settings.nvs_hex
+        self.flash = {index: row.default for index, row in self.rows.items()} | dict(saved)
         self.ram = dict(self.flash)
         self.active = dict(self.flash)
 
@@ -99,10 +122,14 @@ class Nvram:
             ValueError: the text is no value of this row's kind.
 
         """
-        self.ram[index] = _value(ROWS[index].kind, text)
+        self.ram[index] = _value(self.rows[index].kind, text, self._takes_hex)
+
+    def render(self, index: int, value: float) -> str:
+        """Print a value the way its row does."""
+        return render(self.rows[index].kind, value)
 
 
-def _value(kind: Kind, text: str) -> float:
+def _value(kind: Kind, text: str, takes_hex: str) -> float:
     if kind == "bool":
         words = {"0": 0, "1": 1, "FALSE": 0, "TRUE": 1}
         if text.upper() not in words:
@@ -113,16 +140,22 @@ def _value(kind: Kind, text: str) -> float:
         if not math.isfinite(value):
             raise ValueError(text)
         return value
-    base = 16 if text.lower().startswith("0x") else 10
+    has_prefix = text.lower().startswith("0x")
+    if kind == "hex" and takes_hex == "prefix" and not has_prefix:
+        raise ValueError(text)
+    if kind == "hex" and takes_hex == "decimal":
+        return float(
+            text[: len(text) - len(text.lstrip("0123456789"))] or 0
+        )  # as C's atoi reads it: up to the first letter
+    base = 16 if has_prefix else 10
     whole = int(text, base)
     if not -(2**31) <= whole < 2**32:
         raise ValueError(text)
     return whole
 
 
-def render(index: int, value: float) -> str:
-    """Print a value the way its row does."""
-    kind = ROWS[index].kind
+def render(kind: Kind, value: float) -> str:
+    """Print a value of a kind."""
     if kind == "bool":
         return "TRUE" if value else "FALSE"
     if kind == "fixed":

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
-from birdcage.sim.g2.nvram import ROWS, render
 from birdcage.sim.shell import Pause, Script
 
 HEADER = (
@@ -41,7 +40,7 @@ class G2NvsMenu(G2Menu):
 
     def unknown(self, words: list[str]) -> Script:  # noqa: ARG002
         """Read the next row."""
-        indices = sorted(ROWS)
+        indices = sorted(self.board.nvram.rows)
         index = indices[self._next % len(indices)]
         self._next += 1
         yield self._row(index)
@@ -53,10 +52,13 @@ class G2NvsMenu(G2Menu):
             return
         nvram = self.board.nvram
         yield HEADER
-        for row in [index] if index is not None else sorted(ROWS):
-            values = (nvram.ram[row], nvram.flash[row], ROWS[row].default)
-            shown = "".join(f"  {render(row, value):>10}" for value in values)
-            yield f"{row:3d}) {ROWS[row].name:<26}{shown}\n"
+        for row in [index] if index is not None else sorted({*nvram.rows, *nvram.odd_lines}):
+            if row in nvram.odd_lines:
+                yield f"{nvram.odd_lines[row]}\n"
+                continue
+            values = (nvram.ram[row], nvram.flash[row], nvram.rows[row].default)
+            shown = "".join(f"  {nvram.render(row, value):>10}" for value in values)
+            yield f"{row:3d}) {nvram.rows[row].name:<26}{shown}\n"
 
     def _edit(self, args: list[str]) -> Script:
         index = self._index(args[:1])
@@ -71,7 +73,7 @@ class G2NvsMenu(G2Menu):
             except ValueError:
                 yield from self.bad_parameter()
                 return
-            yield f"{before} .{render(index, self.board.nvram.ram[index]):>11}\n"
+            yield f"{before} .{self.board.nvram.render(index, self.board.nvram.ram[index]):>11}\n"
 
     def _save(self, args: list[str]) -> Script:  # noqa: ARG002
         yield SAVING
@@ -80,8 +82,9 @@ class G2NvsMenu(G2Menu):
         yield SAVED
 
     def _row(self, index: int) -> str:
-        return f"{index:3d}) {ROWS[index].name:<26}{render(index, self.board.nvram.ram[index]):>11}\n"
+        nvram = self.board.nvram
+        return f"{index:3d}) {nvram.rows[index].name:<26}{nvram.render(index, nvram.ram[index]):>11}\n"
 
     def _index(self, args: list[str]) -> int | None:
         index = int(args[0]) if len(args) == 1 and args[0].isdecimal() else None
-        return index if index in ROWS else None
+        return index if index in self.board.nvram.rows else None
