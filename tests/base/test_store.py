@@ -117,12 +117,19 @@ def test_a_full_queue_never_waits_and_counts_what_it_drops():
     assert writer.offer("late") is False
 
 
-def test_a_file_that_another_one_is_just_making_is_waited_for(tmp_path):
-    path = tmp_path / "x.sqlite"
-    other = sqlite3.connect(path, isolation_level=None, check_same_thread=False)
-    other.execute("BEGIN EXCLUSIVE")
-    release = threading.Timer(0.2, lambda: other.execute("COMMIT"))
-    release.start()
-    open_database(path, [ONE]).close()
-    release.join()
-    other.close()
+def test_a_file_that_another_one_is_just_making_is_tried_again(tmp_path, monkeypatch):
+    tries, real = [], sqlite3.connect
+
+    class Contended(sqlite3.Connection):
+        def execute(self, sql, *more):
+            if sql.startswith("PRAGMA journal_mode"):
+                tries.append(sql)
+                if len(tries) < 3:
+                    error = sqlite3.OperationalError("database is locked")
+                    error.sqlite_errorcode = sqlite3.SQLITE_BUSY
+                    raise error
+            return super().execute(sql, *more)
+
+    monkeypatch.setattr(sqlite3, "connect", lambda *args, **more: real(*args, factory=Contended, **more))
+    open_database(tmp_path / "x.sqlite", [ONE]).close()
+    assert len(tries) == 3

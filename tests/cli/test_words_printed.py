@@ -14,6 +14,7 @@ HERE = ("--lat", 51.5, "--lon", 0)
 WITHOUT_A_DISH = (
     ("ports",), ("wiring",), ("wiring", "g2"), ("wiring", "adapters"), ("wiring", "nosuch"), ("paths",),
     ("config", "show"), ("config", "check"), ("config", "path"), ("setup", "--list"), ("log",), ("gear",),
+    ("health", "--quick"), ("health", "--quick", "--acknowledge", "nosuch"),
     ("place",), ("place", "set", "nowhere at all"), ("place", "set", "JO21JV"), ("place",), ("place", "set", "99 999"),
     ("clock",), ("elements",), ("elements", "list"), ("elements", "add", "/no/such/file"), ("elements", "check"),
     ("where", "moon"), ("sky",), ("sky", *HERE),
@@ -27,7 +28,7 @@ WITHOUT_A_DISH = (
     ("pos", "--baud", "fast"), ("--config", "no.toml", "pos"), ("sim", "--speed", 0), ("sim", "nosuch"),
 )  # fmt: skip
 OF_A_DISH = (
-    ("pos",), ("status",), ("detect",), ("init",), ("ready",), ("move", "--az", 10, "--el", 80),
+    ("pos",), ("status",), ("health",), ("detect",), ("init",), ("ready",), ("move", "--az", 10, "--el", 80),
     ("move", "--az", 10, "--el", 5), ("move", "--az", 5, "--el", 45), ("stop",), ("home",), ("calibrate", "next"),
     ("track", "iss", "--plan"), ("track", "moon"), ("autotrack", "--plan"),
 )  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import timedelta
 
 import pytest
@@ -224,3 +225,19 @@ def test_without_the_dish_the_history_speaks_and_says_that_it_is_all(judged):
     assert health.findings[0].id == "stall.azimuth"
     assert health.looked_at.endswith("The dish was not asked: its present state is unknown.")
     assert health.figures.link.homed is None
+
+
+def test_what_was_saved_waits_for_a_start_and_is_over_with_it(judged, tmp_path):
+    made = MadeHistory().ordinary().incident(2, IncidentKind.SAVED)
+    made.rows[-1] = replace(made.rows[-1], sentence="Sleep Mode Timer Secs")
+    [only] = judged(made).findings
+    assert (only.id, only.weight) == ("pending", Weight.NOTE)
+    assert only.text == (
+        "Saved in the dish on Wednesday, and not in force before its next power-up: Sleep Mode Timer Secs."
+    )
+    assert judged(MadeHistory().off_and_on(1, 10, hours=1)).findings == ()
+
+
+def test_what_was_changed_and_not_saved(judged):
+    [only] = judged(MadeHistory().ordinary(), unsaved=("Sleep Mode Timer Secs",)).findings
+    assert only.text == "Changed in the dish, and not saved: Sleep Mode Timer Secs."

@@ -41,6 +41,8 @@ STOP no line that moves the dish left the port for a minute, however often a cli
 
 *Holds*: nothing moves the dish until you release it. *Confirmed*: the dish was seen at rest after STOP.
 
+What happened in the last weeks, what it means and what to do: `birdcage health` ([Commands](commands.md#at-the-dish)).
+
 | Fault | Dish | What you see | What birdcage does | Afterwards |
 |---|---|---|---|---|
 """

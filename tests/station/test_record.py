@@ -11,7 +11,16 @@ from birdcage.base.journal import Journal, read_journal
 from birdcage.base.journal_schema import MIGRATIONS
 from birdcage.base.store import open_database
 from birdcage.station.record import keep_journal
-from birdcage.station.requests import AcknowledgeFault, Goto, Home, Read, Release
+from birdcage.station.requests import (
+    AcknowledgeFault,
+    Goto,
+    Home,
+    Read,
+    Release,
+    SaveSettings,
+    SetSearch,
+    WriteSettings,
+)
 
 from .conftest import Bench
 
@@ -163,3 +172,13 @@ def test_a_journal_of_an_older_birdcage_keeps_its_faults(tmp_path):
     [entry] = read_journal(path)
     assert (entry.reason, entry.dish, entry.axis, entry.az_deg) == ("stall", "", "", None)
     assert entry.utc.date() == date(2026, 10, 1)
+
+
+def test_settings_that_were_saved_are_kept_by_name(kept, tmp_path):
+    here = kept(options={"backup_folder": tmp_path / "backups"})
+    bench = here.bench.connect(10.0)
+    bench.do(WriteSettings({38: "600"}, "you", agreed=True))
+    bench.do(SaveSettings("you", agreed=True))
+    bench.do(SetSearch(disabled=True, holder="you"))
+    saved = here.rows("SELECT sentence FROM incident WHERE kind = 'saved' ORDER BY id")
+    assert saved == [("Sleep Mode Timer Secs",), ("TV search at power-up",)]

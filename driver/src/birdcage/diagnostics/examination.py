@@ -25,8 +25,8 @@ class Examination:
     history: DishHistory
     state: StationState
     now: datetime
-    pending: tuple[str, ...] = ()
-    """The settings that are saved in the dish and not in force before its next power-up, as it calls them."""
+    unsaved: tuple[str, ...] = ()
+    """The settings that were changed in the dish and not saved, as it calls them, where they were read."""
 
     @property
     def facts(self) -> Facts | None:

@@ -51,7 +51,7 @@ def features_for_health(facts: Facts) -> tuple[str, ...]:
 
 def read_health(
     journal: Path, state: StationState, now: datetime, *, dish: str | None = None, days: int = DAYS,
-    pending: Sequence[str] = (),
+    unsaved: Sequence[str] = (),
 ) -> DishHealth:  # fmt: skip
     """Read the history of the dish in the state, or of `dish` (`list_dishes`), and judge it.
 
@@ -61,7 +61,7 @@ def read_health(
         dish = "" if state.dish is None else dish_key(state.dish.name, demo=state.demo)
     history = read_history(journal, dish, now, days)
     figures = health_figures(history, state, now)
-    return DishHealth(dish, findings(history, state, now, pending), figures, _looked_at(figures, state))
+    return DishHealth(dish, findings(history, state, now, unsaved), figures, _looked_at(figures, state))
 
 
 def _looked_at(figures: HealthFigures, state: StationState) -> str:

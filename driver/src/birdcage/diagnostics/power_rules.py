@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 
 from birdcage.base.journal_rows import DishIncident, IncidentKind
+from birdcage.base.reason import Reason
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.finding import Finding, Urgency
 from birdcage.diagnostics.wording import how_often, many, times
@@ -17,6 +18,12 @@ SWITCHED_OFF = timedelta(seconds=30)
 """A dish that was silent for longer before its boot text was without power: somebody's switch, or a cut."""
 SHORT_GAP = timedelta(minutes=10)
 """A silence that ends within this, with no restart, is of the link and not of somebody's switch."""
+PORT_GONE = "The port of the dish is gone.", "Plug the adapter in. `birdcage ports` lists what is there."
+PORT_REFUSED = {
+    Reason.BUSY: ("Another program has the port of the dish.", "End that program."),
+    Reason.PERMISSION: ("You may not open the port of the dish.", "F8 or `birdcage setup` says how to be allowed."),
+}
+"""What is wrong with a port, and what to do."""
 FEW = 3
 """So many restarts or losses are no accident any more."""
 
@@ -47,7 +54,7 @@ def outages(seen: Examination) -> list[Outage]:
         is_open = bool(found) and found[-1].ended is None
         if each.kind in (IncidentKind.SILENT, IncidentKind.LOST):
             found.append(Outage(each, None))
-        elif is_open:
+        elif is_open and each.kind is not IncidentKind.SAVED:
             found[-1] = Outage(found[-1].began, each)
     return [each for each in found if each.began.utc >= seen.history.begin]
 
@@ -141,11 +148,9 @@ def silent_now(seen: Examination) -> Iterator[Finding]:
             ),
             lasts=True,
         )  # fmt: skip
-    elif link.state is LinkPhase.LOST and link.reason is not None:
-        yield Finding(
-            "port", Urgency.STOPS, "The port of the dish is gone.", link.detail,
-            ("Plug the adapter in. `birdcage ports` lists what is there.",), lasts=True,
-        )  # fmt: skip
+    elif link.state is LinkPhase.LOST and seen.state.port:
+        text, todo = PORT_REFUSED.get(link.reason, PORT_GONE) if link.reason is not None else PORT_GONE
+        yield Finding("port", Urgency.STOPS, text, link.detail, (todo,), lasts=True)
 
 
 def losses(seen: Examination) -> Iterator[Finding]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from birdcage.base.journal_rows import IncidentKind
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.finding import Finding, Urgency
 from birdcage.diagnostics.wording import listed, on
@@ -77,13 +78,31 @@ def sleep_timer(seen: Examination) -> Iterator[Finding]:
 
 
 def pending(seen: Examination) -> Iterator[Finding]:
-    """Settings that are saved, and not in force yet."""
-    if seen.pending:
+    """Settings that were saved, and are not in force before the dish starts anew; those that were not even saved."""
+    started = [each.utc for each in seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)]
+    saved = [
+        each for each in seen.history.recent_incidents(IncidentKind.SAVED)
+        if not started or each.utc > started[-1]
+    ]  # fmt: skip
+    if saved:
+        names = dict.fromkeys(name for each in saved for name in each.sentence.split(", ") if name)
         yield Finding(
-            "pending", Urgency.NOTE, f"Saved, and not in force before the next power-up: {listed(seen.pending)}.",
-            "The dish reads what is saved only when it starts.",
-            (f"Switch it off and on at its {seen.switch} when nothing is under way. {seen.home_it}",),
-            count=len(seen.pending), lasts=True,
+            "pending", Urgency.NOTE,
+            f"Saved in the dish {on(saved[-1].utc, seen.now)}, and not in force before its next power-up: "
+            f"{listed(list(names) or ['its settings'])}.",
+            "The dish goes by what is saved only from its next start on, and no start was heard since.",
+            (
+                f"Switch it off and on at its {seen.switch} when nothing is under way. {seen.home_it}",
+                "If you did that while no birdcage program was running, acknowledge this.",
+            ),
+            saved[0].utc, saved[-1].utc, len(saved),
+        )  # fmt: skip
+    if seen.unsaved:
+        yield Finding(
+            "unsaved", Urgency.NOTE, f"Changed in the dish, and not saved: {listed(seen.unsaved)}.",
+            "A power cycle takes these changes back.",
+            ("To keep them: `birdcage nvs save`. To drop them: switch the dish off and on.",), count=len(seen.unsaved),
+            lasts=True,
         )  # fmt: skip
 
 

@@ -11,6 +11,7 @@ from birdcage.base.reason import Reason
 from birdcage.rotator.own_settings import OwnSettings, SettingRow, SettingsTable, SettingsWritten
 from birdcage.rotator.setting_values import danger_of, given_value, same_value
 from birdcage.station.applying import refuse_while_moving
+from birdcage.station.events import SettingsSaved
 from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import SaveSettings, WriteSettings
@@ -72,6 +73,8 @@ class OwnSettingsHandler:
         )  # fmt: skip
         self._note.keep(replace(noted, saving=True))
         table = self._visit(lambda: self._save(own))
+        names = tuple(row.name or str(row.index) for row in before.unsaved)
+        self._store.tell(SettingsSaved(*self._store.stamp(), names))
         self._note.drop()
         return table
 

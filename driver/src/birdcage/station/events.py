@@ -130,6 +130,14 @@ class DishRestarted(Event):
 
 
 @dataclass(frozen=True, slots=True)
+class SettingsSaved(Event):
+    """The dish has saved settings of its own: they count from its next power cycle on."""
+
+    names: tuple[str, ...]
+    """As the dish calls them."""
+
+
+@dataclass(frozen=True, slots=True)
 class ReadingRead(Event):
     """A value was read from the dish."""
 

@@ -23,6 +23,7 @@ from birdcage.station.events import (
     PursuitChanged,
     ReadingRead,
     Recovered,
+    SettingsSaved,
     StopConfirmed,
     StopSent,
     TaskChanged,
@@ -91,6 +92,8 @@ def words_of(event: Event) -> str:
             return f"{event.client} is ignored: {event.why}"
         case DishRestarted():
             return f"the dish has started: {event.said}"
+        case SettingsSaved(names=names):
+            return f"the dish saved {', '.join(names) or 'its settings'}"
         case Recovered(sentence=sentence):
             return sentence
         case NotNowChanged(sentence=sentence):

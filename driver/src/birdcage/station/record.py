@@ -15,6 +15,7 @@ from birdcage.station.events import (
     FaultRaised,
     LinkChanged,
     ReadingRead,
+    SettingsSaved,
     TaskChanged,
 )
 from birdcage.station.reply_tally import ReplyTally
@@ -73,6 +74,8 @@ class DishRecord:
                 kind = IncidentKind.RESTART if event.was_met else IncidentKind.START
                 self._append(event, kind, event.said, moving=moving)
                 self._lost_moving = False
+            case SettingsSaved(names=names):
+                self._append(event, IncidentKind.SAVED, ", ".join(names))
             case LinkChanged():
                 self._hear_link(event)
             case ReadingRead() if event.feature.split(".")[0] in LIMITING:
@@ -109,7 +112,7 @@ def keep_journal(station: Station, journal: Journal, adapter_of: Callable[[str],
     """
     record = DishRecord(station, journal, adapter_of)
     station.subscribe(
-        record.hear, ActivityChanged, FaultRaised, TaskChanged, DishRestarted, LinkChanged, ReadingRead
+        record.hear, ActivityChanged, FaultRaised, TaskChanged, DishRestarted, LinkChanged, ReadingRead, SettingsSaved
     )  # fmt: skip
     tally = ReplyTally(record, journal, station.clock)
     station.watch(tally.take)

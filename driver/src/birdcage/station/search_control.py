@@ -9,6 +9,7 @@ from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch as Switch
 from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
+from birdcage.station.events import SettingsSaved
 from birdcage.station.parts import Parts
 from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.state import Activity, TvSearch
@@ -54,6 +55,8 @@ class SearchControl:
             return None
         backup = self._backup.keep(self._settings_table())
         written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
+        named = rotator.features.get(TV_SEARCH)
+        self._store.tell(SettingsSaved(*self._store.stamp(), (TV_SEARCH if named is None else named.label,)))
         self._reader.survey()
         self._reader.note(written)
         if self._store.state.search is not TvSearch.OFF:
