@@ -31,6 +31,9 @@ OF_A_DISH = (
     ("pos",), ("status",), ("health",), ("detect",), ("init",), ("ready",), ("move", "--az", 10, "--el", 80),
     ("move", "--az", 10, "--el", 5), ("move", "--az", 5, "--el", 45), ("stop",), ("home",), ("calibrate", "next"),
     ("track", "iss", "--plan"), ("track", "moon"), ("autotrack", "--plan"),
+    ("nvs", "get", 7, 20, 38, 83, 101, 113, 128),
+    ("nvs", "set", 101, 17), ("nvs", "set", 101, 99), ("nvs", "set", 20, 5), ("nvs", "set", 83, 1, "--yes"),
+    ("nvs", "save", "--yes"), ("nvs", "restore", "/no/such/file"),
 )  # fmt: skip
 PORTS = ("sim:g2", "sim:g2?unhomed=1", "/dev/no-such-port", "sim:nosuch", "")
 

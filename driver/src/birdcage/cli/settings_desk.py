@@ -45,8 +45,15 @@ class SettingsDesk:
         table: SettingsTable = self.ask(ReadSettings())
         if self.demo:
             say("DEMO: this dish is simulated.")
+        noted = {row.index for row in table.unfinished.rows} if table.unfinished is not None else set()
         for sentence in table.unfinished.sentences if table.unfinished is not None else ():
             say(sentence)
+        for row in table.unsaved:
+            if row.index not in noted:
+                say(
+                    f"Row {row.index} is changed in RAM only ({row.saved} to {row.current}), by no write that birdcage "
+                    "has noted. A power cycle takes it back."
+                )
         return table
 
     def write(self, changes: Mapping[int, str]) -> SettingsWritten:

@@ -50,9 +50,10 @@ class HalOwnSettings:
         self._dish = dish
 
     def parse(self, printed: Iterable[str]) -> Mapping[int, SettingRow]:
-        """Return the rows by index: lines of a number, a name and one value. What is printed twice is none.
+        """Return the known rows by index. What is printed twice is none.
 
-        How a row is printed no source tells: of a known one the first number behind its own is taken.
+        How a row is printed no source tells: the first number behind its own is taken. Others stay lines: one of them
+        is said to ruin the dish.
         """
         found = [row for line in printed if (row := _row_of(line)) is not None]
         often = Counter(row.index for row in found)
@@ -88,6 +89,6 @@ def _row_of(line: str) -> SettingRow | None:
         return None
     index, words = int(match[1]), match[2].split()
     values = [at for at, word in enumerate(words) if _VALUE.fullmatch(word)]
-    if values and (index in KNOWN or values == [len(words) - 1]):
+    if values and index in KNOWN:
         return SettingRow(index, " ".join(words[: values[0]]), words[values[0]], None, None)
     return None
