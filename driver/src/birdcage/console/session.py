@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from typing import TypedDict, Unpack
+from typing import Unpack
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.base.reason import Reason
-from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import no_reply
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.events import LineSink, Reply
@@ -18,24 +17,12 @@ from birdcage.console.late import LATE, MOST_LATE
 from birdcage.console.learner import SETTLE_S
 from birdcage.console.menus import Menus
 from birdcage.console.raw import Typed
+from birdcage.console.session_hooks import SessionHooks
 from birdcage.console.wire import Wire
 from birdcage.link.port import Port
 
 DELAY_S = 2.0
 """The longest that a byte may be on its way, in each direction, unless somebody knows better."""
-
-
-class SessionHooks(TypedDict, total=False):
-    """What the owner of a session may give it. What is left out is not there; `delay_s` is `DELAY_S` then."""
-
-    delay_s: float
-    """The longest that a byte may be on its way, in each direction: every answer has that long beyond its command."""
-    wake: Wake | None
-    """Ends waits early, and then calls `on_wake`."""
-    on_wake: Callable[[], None] | None
-    """Must clear `wake`, and may raise to abandon the exchange."""
-    on_line: LineSink | None
-    """Hears lines that no command asked for: boot texts."""
 
 
 class Console:
@@ -48,7 +35,8 @@ class Console:
         self.clock, self.dialect = clock, dialect
         self.delay_s = hooks.get("delay_s", DELAY_S)
         on_line = hooks.get("on_line")
-        self._wire = Wire(link, clock, dialect, self.delay_s, hooks.get("wake"), hooks.get("on_wake"), on_line)
+        wake, on_wake, on_prompt = hooks.get("wake"), hooks.get("on_wake"), hooks.get("on_prompt")
+        self._wire = Wire(link, clock, dialect, self.delay_s, wake, on_wake, on_line, on_prompt)
         self._exchanges = Exchanges(self._wire)
         self._menus = Menus(self._wire, self._exchanges, on_line)
 

@@ -33,6 +33,7 @@ class Wire:
         wake: Wake | None,
         on_wake: Callable[[], None] | None,
         on_line: LineSink | None,
+        on_prompt: Callable[[], None] | None,
     ) -> None:
         self.link = link
         self.clock = clock
@@ -40,7 +41,7 @@ class Wire:
         self.delay_s = delay_s
         self._wake = wake if on_wake is not None else None
         self._on_wake = on_wake
-        self._on_line = on_line
+        self._on_line, self._on_prompt = on_line, on_prompt
         # Reentrant, as a signal handler may interject on top of the thread that it interrupted.
         self._lock = threading.RLock()
         self.codec = Codec(dialect)
@@ -250,6 +251,8 @@ class Wire:
                 self._on_line(event.text)
             elif isinstance(event, ReplyLine) and event.ticket == ticket and on_line is not None:
                 on_line(event.text)
+            elif isinstance(event, Reply | StrayPrompt) and self._on_prompt is not None:
+                self._on_prompt()
 
     def _note(self, events: Sequence[Event]) -> None:
         now = self.clock.monotonic()

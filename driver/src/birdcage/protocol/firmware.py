@@ -12,7 +12,8 @@ from birdcage.base.clock import Clock, RealClock
 from birdcage.base.errors import BelowFloor, BirdcageError, CommandRefused, LinkError, MotionRefused
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
-from birdcage.console.session import Console, SessionHooks
+from birdcage.console.session import Console
+from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.generic import GENERIC_DIALECT, GENERIC_FACTS, GENERIC_FEATURES, position_in
 from birdcage.protocol.hazard import HazardTable
@@ -123,7 +124,7 @@ class FirmwareProtocol(ABC):
         """Speak over an open link. Sends nothing.
 
         `delay_s` is the longest that an answer may be on its way; `wake` ends waits early and then calls `on_wake`,
-        which may raise to abandon the exchange; `on_line` hears unsolicited lines.
+        which may raise to abandon the exchange; `on_line` hears unsolicited lines, `on_prompt` each prompt.
         """
         self._link = link
         self._console = Console(link, clock, self.dialect, **hooks)

@@ -90,7 +90,10 @@ class MenuRotator:
             else:
                 hooks.on_line(text)
 
-        protocol.attach(link, clock, delay_s=hooks.delay_s, wake=hooks.wake, on_wake=hooks.on_wake, on_line=hear)
+        protocol.attach(
+            link, clock, delay_s=hooks.delay_s, wake=hooks.wake, on_wake=hooks.on_wake, on_line=hear,
+            on_prompt=hooks.on_prompt,
+        )  # fmt: skip
 
     def close(self, within_s: float) -> None:
         """See `Rotator`."""

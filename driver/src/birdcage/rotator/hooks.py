@@ -40,6 +40,8 @@ class Hooks:
     """Called then; it may raise to abandon the exchange."""
     on_line: Callable[[str], None] = _nothing
     """Hears a line that nothing asked for, and that is none of what follows."""
+    on_prompt: Callable[[], None] = _nothing
+    """Hears that a machine with a console shows its prompt, in its place among the lines: it waits for a line."""
     on_look: Callable[[Look], None] = _nothing
     """Hears where the machine is, told unasked; only from within `Rotator.listen`, never while something is asked."""
     on_facts: Callable[[Facts], None] = _nothing

@@ -11,6 +11,7 @@ from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 from birdcage.rotator import values
 from birdcage.rotator.facts import SearchSwitch
+from birdcage.station.boot_log import BootLogKeeper
 from birdcage.station.events import DishRestarted, End, FaultRaised, TranscriptLine
 from birdcage.station.feature_watch import FeatureWatch
 from birdcage.station.parts import Parts
@@ -54,7 +55,7 @@ class DishMonitor:
         """Where the dish rested before a reading that says otherwise, until a second one agrees with either."""
         self._rested: Pointing | None = None
         """Where the dish was first seen at rest since it last moved: it may also creep from one reading to the next."""
-        self._starting = Starting(parts.store, parts.antenna, parts.mover)
+        self._starting, self.boot_log = Starting(parts.store, parts.antenna, parts.mover), BootLogKeeper(parts.store)
         parts.signals.stalled.connect(self._stalled)
         parts.signals.astray.connect(self._moves_unasked)
         parts.signals.forgotten.connect(self._forgotten)
@@ -196,6 +197,7 @@ class DishMonitor:
         """The dish answers: see whether it moves."""
         self._met = True
         self._starting.answers()
+        self.boot_log.ended()
         if self._store.state.activity is Activity.INITIALIZING:
             self._mover.activity(Activity.UNKNOWN, "")
         self.look_again()
@@ -252,11 +254,13 @@ class DishMonitor:
         """Hear an unsolicited line."""
         raw = self._antenna.raw
         self._store.tell(TranscriptLine(*self._store.stamp(), "<", line, raw is not None and raw.is_prompt(line)))
+        self.boot_log.hear(line)
         self._starting.hear(line, met=self._met)
 
     def troubled(self, trouble: MotorTrouble) -> None:
         """Hear unasked that an axis does not turn, or did not find its reference."""
         self._store.tell(TranscriptLine(*self._store.stamp(), "<", trouble.said))
+        self.boot_log.hear(trouble.said)
         if self._met:
             self.hear_trouble(trouble)
             return
@@ -266,6 +270,7 @@ class DishMonitor:
     def restarted(self, line: str) -> None:
         """Hear a line that tells that the dish has just started: it has forgotten everything."""
         self._store.tell(TranscriptLine(*self._store.stamp(), "<", line))
+        self.boot_log.marked(line)
         fault = self._store.state.fault
         if self._starting.begins_by(line.strip()):
             self._store.tell(DishRestarted(*self._store.stamp(), line.strip(), self._met))

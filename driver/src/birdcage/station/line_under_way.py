@@ -12,6 +12,7 @@ from birdcage.base.errors import BirdcageError, CommandRefused, LinkError, NoRep
 from birdcage.base.reason import Reason
 from birdcage.rotator.raw import RawAnswer, RawExchange, RawLines
 from birdcage.rotator.verdict import Verdict
+from birdcage.station.boot_log import BootLogKeeper
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.raw import RawReply
 from birdcage.station.raw_effects import RawEffects
@@ -163,6 +164,8 @@ class LineUnderWay:
         if not answer.refused:
             self._effects.taken(line.verdict)
         self._effects.hear(answer.boot_lines, line.verdict)
+        if line.verdict.restarts and answer.boot_lines:
+            BootLogKeeper(self._store).asked_for(answer.lines)
         took_s = self.answered_at - line.typed.sent
         line.future.set_result(
             RawReply(line.text, answer.lines, answer.place, answer.prompt, took_s, ended_by_key=by_key)

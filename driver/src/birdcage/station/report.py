@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from birdcage.rotator.facts import CableTurn
 from birdcage.station.gear_words import gear_values
 from birdcage.station.network_state import NetworkState
-from birdcage.station.state import Activity, HeldState, LinkPhase, StationState, StopReport, TvSearch
+from birdcage.station.state import Activity, BootLog, HeldState, LinkPhase, StationState, StopReport, TvSearch
 from birdcage.station.stop_words import stop_line
 
 Value = str | float | bool | None
@@ -54,6 +54,7 @@ def status_report(state: StationState, now: float) -> dict[str, Told]:
         "held_reason": held.why if held else None,
         "held_trouble": state.held_trouble or (held.damage if held else "") or None,
         "fault": state.fault.what if state.fault else None,
+        "boot_log": boot_log_report(state.boot_log) if state.boot_log else None,
         "not_now": state.not_now or None,
         "motion_refused_because": state.motion_refused_because or (dish.no_direction if dish else "") or None,
         "search": None if state.search is TvSearch.UNKNOWN else state.search.value,
@@ -103,6 +104,11 @@ def network_report(network: NetworkState) -> dict[str, Told]:
             for client in network.clients
         ],
     }
+
+
+def boot_log_report(log: BootLog) -> dict[str, Told]:
+    """Return when the dish last started, and what it printed."""
+    return {"utc": log.utc.isoformat(timespec="seconds"), "lines": list(log.lines)}
 
 
 def stop_report(report: StopReport) -> dict[str, Value]:

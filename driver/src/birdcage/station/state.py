@@ -262,6 +262,15 @@ class Fault:
 
 
 @dataclass(frozen=True, slots=True)
+class BootLog:
+    """What the dish printed when it last started, from its first boot mark to its prompt."""
+
+    utc: datetime
+    """When that mark came."""
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class StopReport:
     """What the last STOP really did."""
 
@@ -306,6 +315,8 @@ class StationState:
     held_trouble: str = ""
     """Why HELD, or its release, is not kept for the programs that come after; empty if it is."""
     fault: Fault | None = None
+    boot_log: BootLog | None = None
+    """Of its last start that this program heard; None if it heard none."""
     last_stop: StopReport | None = None
     unplanned_stop: StopMeans = StopMeans.NONE
     """By what STOP ends a motion that goes on without a plan of this program."""

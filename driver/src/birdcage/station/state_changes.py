@@ -19,6 +19,7 @@ from birdcage.station.network_state import NetworkState
 from birdcage.station.pursuit_state import Pursuit
 from birdcage.station.state import (
     Activity,
+    BootLog,
     Fault,
     HeldState,
     LimitSource,
@@ -56,6 +57,7 @@ class StateChanges(TypedDict, total=False):
     held: HeldState | None
     held_trouble: str
     fault: Fault | None
+    boot_log: BootLog | None
     last_stop: StopReport | None
     unplanned_stop: StopMeans
     homed: bool | None

@@ -99,6 +99,8 @@ def _shown(value: object) -> str:
         return " ".join(map(str, value)) or "-"
     if isinstance(value, dict) and "clients" in value:
         return "; ".join([f"listens on {value['address']}", *map(_of_network, value["clients"])])
+    if isinstance(value, dict) and "lines" in value:
+        return f"{len(value['lines'])} lines, from {value['utc']} on; --json prints them"
     if isinstance(value, dict):
         return str(value["sentence"]) if "sentence" in value else "; ".join(map(_worn, value, value.values()))
     return str(value)

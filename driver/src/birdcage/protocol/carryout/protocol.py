@@ -10,7 +10,7 @@ from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
-from birdcage.console.session import SessionHooks
+from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.carryout.commands import COMMANDS
 from birdcage.protocol.carryout.dialect import DIALECT, NVS, TARGET
 from birdcage.protocol.carryout.features import CEILING, FEATURES

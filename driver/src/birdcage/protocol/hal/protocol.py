@@ -10,7 +10,7 @@ from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
-from birdcage.console.session import SessionHooks
+from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
