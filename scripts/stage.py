@@ -143,6 +143,8 @@ async def demo(
             presets_file=paths.presets_file,
             recordings_file=paths.signal_recordings,
             levels_file=paths.known_levels,
+            backups_folder=paths.backups,
+            journal_file=paths.journal,
             setup_steps=KeptSteps(session, lambda: here, paths).count,
             setup=lambda: Setup(session, here, paths, environ={}, ports=list, system=SystemFacts),
             sky=make_sky(here, paths, clock, demo=True, threads=False),

@@ -7,19 +7,24 @@ import sys
 from dataclasses import dataclass, field, replace
 
 import calibrate_stand_in
+import health_stand_in
 import horizon_stand_in
 import lessons_stand_in
 import map_stand_in
+import settings_stand_in
 import setup_stand_in
 import sky_stand_in
 import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
+from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.feature import FeaturePage
 from birdcage.skymap.map_file import read_map
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.map_book import MapRead
+from birdcage_tui.shown.system_sheet import sheet_rows
 
 from tests.signal.test_recording import recorded, row
 
@@ -52,6 +57,12 @@ def _dialog(name: str, asked_by: str, *keys: str, dialog: str = "QuestionScreen"
     return Place(name, keys, frozenset(holds.split()), dialog, asked_by, **more)
 
 
+def _down_to(page: FeaturePage, feature: str) -> tuple[str, ...]:
+    """Return the keys from the first row of a tab of F4 to that of a feature."""
+    rows = sheet_rows(CARRYOUT_G2, page)
+    return ("down",) * next(number for number, row in enumerate(rows) if row.cells[0].id == feature)
+
+
 HANDS = "ControlPage/RosePane ControlPage/DigitsPane"
 LIST = "PresetsBox/PresetsPane"
 STEPS = "SetupBody/can_focus"
@@ -68,7 +79,13 @@ CALIBRATE = f"{AIM} CalibratePage/ObjectsPane CalibratePage/PeaksPane CalibrateP
 
 PLACES = (
     *(_page(name, f"f{number}") for number, (name, _, _) in enumerate(PAGES, 1)
-      if name not in ("control", "console", "setup", "passes")),
+      if name not in ("control", "console", "setup", "passes", "system")),
+    _page("system", "f4", holds="SystemPage/FindingsPane"),
+    _page("system, hardware", "f4", "b", holds="SystemPage/SheetPane"),
+    _page("system, motors", "f4", "m", holds="SystemPage/SheetPane"),
+    _page("system, nvs", "f4", "n", holds="SettingsBox/OwnSettingsPane"),
+    _page("system, nvs filter", "f4", "n", "slash", holds="SettingsBox/OwnSettingsPane FilterBox/EscField"),
+    _page("system, receiver", "f4", "d", holds="SystemPage/SheetPane"),
     _page("passes", "f7", holds="PassesPage/PassList"),
     _page("passes, roomy", "f7", holds="PassesPage/PassList", size=(120, 36)),
     _page("passes, elevation", "f7", "v", holds="PassesPage/PassList"),
@@ -87,7 +104,7 @@ PLACES = (
     _page("craft, search", "f2", "c", "slash", holds="NamedField/EscField"),
     _page("craft, following", "f2", "c", track="craft-following"),
     _page("control, presets", "f2", "p", holds=f"ControlPage/RosePane {LIST}"),
-    _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane PresetsBox/EscField {LIST}"),
+    _page("control, filter", "f2", "slash", holds=f"ControlPage/RosePane FilterBox/EscField {LIST}"),
     _page("go to", "g", holds="GotoLine/EscField GotoLine/CancelButton"),
     _page("go to, skew", "S", holds="GotoLine/EscField GotoLine/CancelButton", state={"dish": TRAVLER}),
     _page("control of a dish with a skew", "f2", holds=HANDS, state={"dish": TRAVLER}),
@@ -126,6 +143,23 @@ PLACES = (
     _dialog("draw the horizon", "HorizonHands._draw", "f2", "D", dialog="SketchScreen",
             holds="SketchScreen/SketchPane"),
     _dialog("clear the horizon", "HorizonHands._clear", "f2", "Z"),
+    _dialog("explain a finding", "HealthHands._open", "f4", "enter", dialog="LinesScreen",
+            holds="LinesScreen/VerticalScroll"),
+    _dialog("all of a value", "SheetHands._open", "f4", "b", "enter", dialog="LinesScreen",
+            holds="LinesScreen/VerticalScroll"),
+    _dialog("new value", "SheetHands._set", "f4", "m", *_down_to(FeaturePage.MOTORS, "speed.azimuth"), "e", **FIELDS),
+    _dialog("set a value", "SheetHands._ask", "f4", "d", *_down_to(FeaturePage.RECEIVER, "enable_lna"), "e"),
+    _dialog("read what switches something", "SheetHands._open", "f4", "d",
+            *_down_to(FeaturePage.RECEIVER, "even_level"), "enter"),
+    _dialog("all of a setting", "SettingsHands._open", "f4", "n", "enter", dialog="LinesScreen",
+            holds="LinesScreen/VerticalScroll"),
+    _dialog("edit a setting", "SettingsHands._edit", "f4", "n", "e", **FIELDS),
+    _dialog("write settings", "SettingsHands._write", "f4", "n", "w"),
+    _dialog("save settings", "SettingsHands._save", "f4", "n", "s"),
+    _dialog("restore settings", "SettingsHands._choose", "f4", "n", "R", dialog="ChoiceScreen",
+            holds="ChoiceScreen/OptionList"),
+    _dialog("compare settings", "SettingsHands._compare", "f4", "n", "c", "enter", dialog="LinesScreen",
+            holds="LinesScreen/VerticalScroll"),
     _dialog("jump to a time", "PassesPage._ask_time", "f7", "t", **FIELDS),
     _dialog("source of the signal", "SignalPage.do", "f3", "s", dialog="ChoiceScreen",
             holds="ChoiceScreen/OptionList"),
@@ -183,8 +217,12 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             sky=sky_stand_in.make(), horizon=horizon_stand_in.File(), keep_place=lambda *_place: None,
             calibrate=calibrate_stand_in.make(place.calibrate),
             recordings_file=recordings_in(folder) if "R" in place.keys else None,
-            lessons=lessons_stand_in.Lessons(), **settings,
+            lessons=lessons_stand_in.Lessons(), backups_folder=backups_in(folder), **settings,
         )  # fmt: skip
+        if place.keys == ("f4", "enter"):
+            app.system.health.now = health_stand_in.NOW
+        if place.keys[:2] == ("f4", "n"):
+            app.system.own_settings.now = settings_stand_in.table_of(app, staged={38: "600"})
         if {("f3", "i"), ("f3", "u"), ("f3", "M"), ("f3", "y"), ("m",)} & {place.keys[:2]}:
             open_map(app, folder)
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
@@ -201,6 +239,15 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             return await test(app, pilot, asked[-1] if asked else "")
 
     return asyncio.run(body())
+
+
+def backups_in(folder):
+    """Return a folder with one backup of a dish's own settings."""
+    backups = folder / "backups"
+    backups.mkdir(exist_ok=True)
+    row = " 20) Disable Tracker Proc?             FALSE       FALSE       FALSE\n"
+    (backups / "nvs-g2-20260314T120000Z.txt").write_text(row)
+    return backups
 
 
 def open_map(app, folder):

@@ -10,6 +10,9 @@ from textual.widgets import Input, OptionList
 POCKET = (40, 12)
 SCOPES = {
     **{(f"f{number}",): (name,) for number, (name, _, _) in enumerate(PAGES, 1)},
+    ("f4",): ("system-health", "system"),
+    ("f4", "b"): ("system-sheet", "system"),
+    ("f4", "n"): ("system-settings", "system"),
     ("f2", "n"): ("digits", "control"),
     ("f2", "p"): ("presets", "control"),
     ("f2", "c"): ("craft",),

@@ -371,6 +371,8 @@ def _app_settings(settings: Settings, paths: Paths, *, demo: bool, unheeded: str
         presets_file=paths.presets_file,
         recordings_file=paths.signal_recordings,
         levels_file=paths.known_levels,
+        backups_folder=paths.backups,
+        journal_file=paths.journal,
         sound=lambda: find_sound(os.environ, shutil.which),
         glyphs=settings.app.glyphs if chosen else fitting(os.environ),
         cell_aspect=settings.app.cell_aspect or ASPECT,

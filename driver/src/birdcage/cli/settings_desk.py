@@ -6,14 +6,12 @@ import signal
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.rotator.facts import Facts
     from birdcage.rotator.own_settings import OwnSettings, SettingsTable, SettingsWritten
-    from birdcage.rotator.settings_file import SettingsDump
     from birdcage.station.setting_requests import ReadSettings, SaveSettings, WriteSettings
 
 TAKES_S = 60.0
@@ -108,22 +106,6 @@ def own_settings_of(firmware: str) -> OwnSettings | None:
     from birdcage.rotator import machines
 
     return machines.make(firmware).own_settings if firmware in machines.names() else None
-
-
-def read_dump(file: str) -> SettingsDump:
-    """Return what a file of settings holds. StoreError for what is none."""
-    from birdcage.base.errors import StoreError
-    from birdcage.base.reason import Reason
-    from birdcage.base.text import clean
-    from birdcage.base.user_file import read_user_file
-    from birdcage.rotator.settings_file import MOST_BYTES, read_settings_text
-
-    name = clean(file)
-    try:
-        data = read_user_file(Path(file), MOST_BYTES)
-    except OSError as error:
-        raise StoreError(f"{name} can't be read: {error.strerror}. Nothing was sent.", reason=Reason.MISSING) from error
-    return read_settings_text(data, name)
 
 
 @contextmanager

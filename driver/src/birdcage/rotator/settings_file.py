@@ -18,10 +18,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from itertools import count
+from pathlib import Path
 
 from birdcage.base.errors import StoreError
 from birdcage.base.reason import Reason
 from birdcage.base.text import clean
+from birdcage.base.user_file import read_user_file
 
 MOST_BYTES = 262_144
 """A larger file is no table of settings: 150 rows take about 10,000."""
@@ -40,6 +43,23 @@ class SettingsDump:
     read: str = ""
     """When, as it stands in the file."""
     demo: bool = False
+
+
+def backup_path(folder: Path, settings_name: str, firmware: str, utc: datetime) -> Path:
+    """Return where a backup of this moment goes: a file that does not exist yet."""
+    name = f"{settings_name}-{firmware}-{utc:%Y%m%dT%H%M%SZ}"
+    names = (f"{name}.txt" if number == 1 else f"{name}-{number}.txt" for number in count(1))
+    return next(path for each in names if not (path := folder / each).exists())
+
+
+def read_settings_file(path: Path) -> SettingsDump:
+    """Return what a file of settings holds. StoreError for what is none, or can't be read."""
+    name = clean(str(path))
+    try:
+        data = read_user_file(path, MOST_BYTES)
+    except OSError as error:
+        raise StoreError(f"{name} can't be read: {error.strerror}. Nothing was sent.", reason=Reason.MISSING) from error
+    return read_settings_text(data, name)
 
 
 def settings_text(machine: str, firmware: str, utc: datetime, printed: Sequence[str], *, demo: bool) -> str:

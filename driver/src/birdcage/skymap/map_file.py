@@ -174,7 +174,8 @@ class MapWriter:
                 number = self._insert(connection, rows, may_end=not dropped)
                 connection.execute("COMMIT")
         except (StoreError, sqlite3.Error) as error:  # what was begun is undone as the file is closed
-            advice = "Free some room, then resume" if "full" in str(error) else "Mend that, then resume"
+            code = getattr(error if isinstance(error, sqlite3.Error) else error.__cause__, "sqlite_errorcode", None)
+            advice = "Free some room, then resume" if code == sqlite3.SQLITE_FULL else "Mend that, then resume"
             self.problem = f"The map can't be kept: {error}. {advice} the map."
             return
         self.number = number

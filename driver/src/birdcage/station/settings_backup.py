@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import count
 from pathlib import Path
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.errors import ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
-from birdcage.rotator.settings_file import settings_text
+from birdcage.rotator.settings_file import backup_path, settings_text
 from birdcage.station.state_store import StateStore
 
 
@@ -26,9 +25,7 @@ class SettingsBackup:
         if self._folder is None:
             raise ConfigError("No folder for a backup of the dish's settings. Nothing was written.")
         utc, facts = self._store.clock.utc(), self._antenna.rotator.facts
-        name = f"{facts.settings_name}-{facts.firmware}-{utc:%Y%m%dT%H%M%SZ}"
-        names = (f"{name}.txt" if number == 1 else f"{name}-{number}.txt" for number in count(1))
-        path = next(path for each in names if not (path := self._folder / each).exists())
+        path = backup_path(self._folder, facts.settings_name, facts.firmware, utc)
         text = settings_text(facts.name, facts.firmware, utc, printed, demo=self._store.state.demo)
         try:
             write_aside_and_rename(path, text.encode())

@@ -20,6 +20,7 @@ from birdcage_tui.commands.resume import RESUME
 from birdcage_tui.commands.setup import SETUP
 from birdcage_tui.commands.signal import SIGNAL
 from birdcage_tui.commands.sky_map import SKY_MAP
+from birdcage_tui.commands.system import SYSTEM
 from birdcage_tui.commands.table import Command
 from birdcage_tui.commands.track import TRACK
 
@@ -27,7 +28,7 @@ __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_for
 
 COMMANDS: tuple[Command, ...] = (
     *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *SKY_MAP, *RECEIVER, *PASSES, *POCKET,
-    *CONSOLE, *CALIBRATE, *SETUP, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *CONSOLE, *CALIBRATE, *SETUP, *SYSTEM, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

@@ -6,11 +6,8 @@ from collections.abc import Sequence
 from typing import cast
 
 from birdcage.base.presets import Preset
-from textual import events, on
-from textual.app import ComposeResult
-from textual.containers import Vertical
+from textual import events
 from textual.geometry import Region
-from textual.widgets import Input
 
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.control.sky_directions import SkyDirection, sky_directions
@@ -18,9 +15,8 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, elide, pad, wrap
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.view import View
-from birdcage_tui.widgets.esc_field import EscField
+from birdcage_tui.widgets.filter_box import FilterBox, FilteredPane
 from birdcage_tui.widgets.page import Page
-from birdcage_tui.widgets.pane import Pane
 
 KEYS = (("preset-go", "go"), ("preset-add", "add"), ("preset-edit", "edit"), ("preset-delete", "del"),
         ("preset-filter", "find"), ("preset-undo", "undo"))  # fmt: skip
@@ -32,7 +28,7 @@ FOR_SKY, LEAST_SKY = 5, 4
 EMPTY = "No presets. a saves this direction."
 
 
-class PresetsPane(Pane, can_focus=True):
+class PresetsPane(FilteredPane):
     """Rows to choose from, and their keys."""
 
     HELP = (
@@ -42,7 +38,6 @@ class PresetsPane(Pane, can_focus=True):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
-        self.filter = ""
         self.cursor = 0
         self._top = 0
         self._sky: list[SkyDirection] = []
@@ -56,6 +51,11 @@ class PresetsPane(Pane, can_focus=True):
     def do(self, command: str) -> bool:
         """Have the page do it: it asks, and it keeps the file."""
         return self.query_ancestor(Page).do(command)
+
+    def filter_by(self, words: str) -> None:
+        """Show what these words let through, from the top."""
+        self.filter, self.cursor = words, 0
+        self.redraw()
 
     def shown(self, view: View) -> list[Preset]:
         """Return those that the filter lets through."""
@@ -204,53 +204,14 @@ class PresetsPane(Pane, can_focus=True):
                 self.redraw()
 
 
-class PresetsBox(Vertical):
-    """The list, and over it the line to filter it with."""
+class PresetsBox(FilterBox):
+    """The list under its filter. Esc goes back to the rose."""
 
-    def compose(self) -> ComposeResult:
-        """A filter that is not seen before it is asked for, and the list."""
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         hints = ("part of a name; Enter applies it", "name; Enter applies")
-        field = EscField(*hints, closes="clears it", id="preset-filter")
-        field.display = False
-        yield field
-        yield PresetsPane(id="presets")
+        super().__init__(PresetsPane(id="presets"), *hints, field_id="preset-filter", id=id)
 
-    def open_filter(self) -> None:
-        """Take the focus into the filter."""
-        field = self.query_one(Input)
-        field.disabled, field.display = False, True
-        field.focus()
-
-    def _close_filter(self, words: str) -> None:
-        field, pane = self.query_one(Input), self.query_one(PresetsPane)
-        field.value = words
-        pane.focus()
-        field.disabled, field.display = True, bool(words)
-
-    def on_input_changed(self, event: Input.Changed) -> None:
-        """Show what is left."""
-        event.stop()
-        pane = self.query_one(PresetsPane)
-        pane.filter, pane.cursor = event.value.strip(), 0
-        pane.redraw()
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Go back to the list, with the filter in force."""
-        event.stop()
-        self._close_filter(event.value.strip())
-
-    @on(EscField.Left)
-    def _left_filter(self, event: EscField.Left) -> None:
-        event.stop()
-        self._close_filter("")
-
-    def on_key(self, event: events.Key) -> None:
-        """Esc in the filter clears it; in the list it goes back to the rose."""
-        if event.key != "escape":
-            return
-        event.stop()
-        if self.query_one(Input).has_focus:
-            self._close_filter("")
-        else:
-            self.query_ancestor(Page).do("tab-manual")  # from the tab of the presets
-            self.screen.set_focus(self.screen.query_one("#rose"))
+    def leave(self) -> None:
+        """Go back to the rose."""
+        self.query_ancestor(Page).do("tab-manual")  # from the tab of the presets
+        self.screen.set_focus(self.screen.query_one("#rose"))

@@ -15,6 +15,7 @@ from birdcage_tui.feeds.preset_book import PresetBook
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.feeds.sky_feed import SkyFeed
+from birdcage_tui.feeds.system_feeds import SystemFeeds
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.shown.view import View
 
@@ -34,6 +35,8 @@ class AppHost(Protocol):
     """What sources of a signal have told."""
     maps: MapFeed
     """The maps of the sky: the one under way, and those that are kept."""
+    system: SystemFeeds
+    """What the System page reads and does."""
     calibrate: CalibrateFeed
     """The guide of the calibration, and what it has told."""
     network: NetworkSource | None

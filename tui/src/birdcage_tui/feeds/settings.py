@@ -75,6 +75,10 @@ class AppOptions:
     """Where the signal is recorded; None: nowhere."""
     sound: Callable[[], tuple[Sound | None, str]] | None = field(default=None, compare=False)
     """Finds what plays a tone, or says why there is only the terminal's bell."""
+    journal_file: Path | None = None
+    """What programs have kept of faults, wear and replies; None for none."""
+    backups_folder: Path | None = None
+    """Where backups of the dish's own settings are; None for none."""
     levels_file: Path | None = None
     """Where known levels of the signal are kept; None: nowhere."""
     setup: Callable[[], SetupEngine] | None = field(default=None, compare=False)

@@ -12,10 +12,6 @@ from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.pane import Pane
 
 WILL = {
-    "system": (
-        "Each value with its unit, age and the command it came from.",
-        "Changes shown as a difference before anything is written.",
-    ),
     "camera": ("Files named by time, target and direction, never overwritten.",),
     "motor": ("Stored positions, limits, and the arc in reach.",),
     "survey": (
@@ -24,7 +20,6 @@ WILL = {
     ),
 }
 MEANWHILE = {
-    "system": "Until then: the dashboard (1) shows health, limits and firmware.",
     "camera": "Until then: `birdcage log` keeps what was followed when, and how well.",
     "motor": "Until then: the control page (2) moves the dish, and keeps directions as presets.",
     "survey": "Until then: `birdcage if --if 1180` lists what a received frequency may be, `birdcage downlinks` what "

@@ -12,6 +12,7 @@ MADE = {
     "dashboard": ("birdcage_tui.pages.dashboard", "DashboardPage"),
     "control": ("birdcage_tui.pages.control", "ControlPage"),
     "signal": ("birdcage_tui.pages.signal", "SignalPage"),
+    "system": ("birdcage_tui.pages.system", "SystemPage"),
     "passes": ("birdcage_tui.pages.passes", "PassesPage"),
     "calibrate": ("birdcage_tui.pages.calibrate", "CalibratePage"),
 }

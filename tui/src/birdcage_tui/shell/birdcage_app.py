@@ -92,7 +92,7 @@ class BirdcageApp(App[None]):
             session, self.settings, self.soon, self.frames.changed,
             news=self._news, show_sky=lambda sky: self.post_message(SkyChanged(sky)), say=self.say, bell=self.bell,
         )  # fmt: skip
-        self.presets, self.horizon, self.maps = feeds.presets, feeds.horizon, feeds.maps
+        self.presets, self.horizon, self.maps, self.system = feeds.presets, feeds.horizon, feeds.maps, feeds.system
         self.sky, self.track, self.signals, self.calibrate = feeds.sky, feeds.track, feeds.signals, feeds.calibrate
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""

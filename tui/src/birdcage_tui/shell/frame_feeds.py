@@ -16,6 +16,7 @@ from birdcage_tui.feeds.ready_watch import ReadyWatch
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.signal_feed import SignalFeed
 from birdcage_tui.feeds.sky_feed import Show, SkyFeed
+from birdcage_tui.feeds.system_feeds import SystemFeeds
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.shell.motions import Motions
 from birdcage_tui.shell.page_stage import PageStage
@@ -48,6 +49,11 @@ class FrameFeeds:
         self.ready = ReadyWatch(settings.ready, soon, changed, settings.setup_steps)
         self.signals = SignalFeed(settings.signal, session.station, soon, changed, settings.recordings_file,
                                   settings.levels_file)  # fmt: skip
+        self.system = SystemFeeds(
+            session.station, session.clock, soon, changed, say, backups=settings.backups_folder,
+            journal=settings.journal_file,
+        )  # fmt: skip
+        """What the System page reads and does."""
         self.maps = MapFeed(session.station, session.clock, soon, changed, settings.recordings_file)
         if settings.sound is not None:
             self.signals.sound, self.signals.no_sound = settings.sound()
@@ -124,6 +130,9 @@ class FrameFeeds:
             map=self.maps.book.shown,
             map_ended=self.maps.ended_words,
             map_trouble=self.maps.problem,
+            sheet=self.system.sheets.now,
+            own_settings=self.system.own_settings.now,
+            health=self.system.health.now,
             polarisations=self.signals.polarisations.levels,
             signal_trouble=self.signals.trouble,
             trips=self.link_book.trips,

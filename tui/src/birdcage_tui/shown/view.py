@@ -17,9 +17,12 @@ from birdcage.station.raw import CONSOLE, OTHER_CONSOLE
 from birdcage.station.state import MOVING, Activity, LinkPhase, Motion, StationState
 
 from birdcage_tui.shown.clock_told import ClockTold
+from birdcage_tui.shown.health_state import HealthNow
 from birdcage_tui.shown.horizon_state import HorizonState
 from birdcage_tui.shown.markers import Marker
 from birdcage_tui.shown.options import FrameOptions
+from birdcage_tui.shown.own_settings import OwnSettingsNow
+from birdcage_tui.shown.system_sheet import SheetNow
 
 if TYPE_CHECKING:
     from birdcage.pursuit.now import DeskNow
@@ -122,6 +125,12 @@ class View:
     """What its values are in dB, by two known levels; None where there are none."""
     markers: Sequence[Marker] = ()
     """Moments of it that a person has marked, the newest last."""
+    health: HealthNow = field(default_factory=HealthNow)
+    """What the System page says of the dish's health."""
+    own_settings: OwnSettingsNow = field(default_factory=OwnSettingsNow)
+    """The settings that the dish keeps itself, and what is about to be written there."""
+    sheet: SheetNow = field(default_factory=SheetNow)
+    """What the System page is still to read, and what could not be."""
     recorded: str = ""
     """How far a recording of the signal is, or why it has stopped; empty while nothing is recorded."""
     spectra: Sequence[Spectrum] = ()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import click
 
 from birdcage.cli.exits import EPILOG
@@ -102,11 +104,12 @@ def restore(file: str, yes: bool) -> None:
     """
     from birdcage.base.errors import CommandRefused
     from birdcage.cli.say import say, tell_json
-    from birdcage.cli.settings_desk import open_desk, read_dump
+    from birdcage.cli.settings_desk import open_desk
     from birdcage.cli.settings_words import COUNTS, agree, show_changes
     from birdcage.rotator.settings_compare import is_saved, lines_of_no_row, restoring
+    from birdcage.rotator.settings_file import read_settings_file
 
-    dump = read_dump(file)
+    dump = read_settings_file(Path(file))
     with open_desk(wanted(), "birdcage nvs restore") as desk:
         table, known = desk.read(), desk.own.known
         rows = desk.own.parse(dump.printed)

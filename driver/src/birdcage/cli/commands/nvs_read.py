@@ -95,19 +95,20 @@ def diff(first: str, second: str | None) -> None:
     from birdcage.base.errors import CommandRefused
     from birdcage.base.reason import Reason
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.cli.settings_desk import open_desk, own_settings_of, read_dump
+    from birdcage.cli.settings_desk import open_desk, own_settings_of
     from birdcage.cli.settings_words import difference_cells
     from birdcage.cli.table import tell_table
     from birdcage.rotator.settings_compare import differences, lines_of_no_row
+    from birdcage.rotator.settings_file import read_settings_file
 
-    one = read_dump(first)
+    one = read_settings_file(Path(first))
     if second is None:
         with open_desk(wanted(), "birdcage nvs diff") as desk:
             table = desk.read()
         firmware, printed, other = desk.facts.firmware, table.printed, table.rows
         rows = desk.own.parse(one.printed)
     else:
-        two = read_dump(second)
+        two = read_settings_file(Path(second))
         firmware, printed = two.firmware, two.printed
         own = own_settings_of(one.firmware or two.firmware or wanted().firmware)
         if own is None:

@@ -87,13 +87,3 @@ def each(feature: Feature) -> tuple[Feature, ...]:
 def under(page: FeaturePage, group: str, *rows: FeatureRow) -> tuple[FeatureRow, ...]:
     """Return rows that stand under a heading of a page."""
     return tuple(replace(row, feature=replace(row.feature, page=page, group=group)) for row in rows)
-
-
-def by_axis_of(page: FeaturePage, rows: Iterable[FeatureRow]) -> tuple[FeatureRow, ...]:
-    """Return rows of both axes, each under the heading of its axis."""
-    kept = tuple(rows)
-    return tuple(
-        row
-        for axis in (AZIMUTH, ELEVATION)
-        for row in under(page, axis.capitalize(), *(row for row in kept if row.feature.id.endswith(f".{axis}")))
-    )

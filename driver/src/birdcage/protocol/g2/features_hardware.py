@@ -38,9 +38,9 @@ def _driver(axis: Axis) -> Feature:
 _IDENTITY = (
     *told(Question("os", "id", min_interval_s=0.0), lambda dish: dish.system.identity(),
           text(VERSION, "Firmware version"), text("antenna_id", "Antenna ID"), text("system_id", "System ID"),
-          text("mcu_package", "Package of the processor"), text("mcu_revision", "Silicon revision of the processor"),
-          text("mcu_mask_set", "Mask set of the processor"), Feature("mcu_flash", "Program flash", "KB"),
-          Feature("mcu_ram", "Memory of the processor", "KB"), Feature("mcu_core_clock", "Core clock", "MHz"),
+          text("mcu_package", "MCU package"), text("mcu_revision", "Silicon revision"),
+          text("mcu_mask_set", "Mask set"), Feature("mcu_flash", "Program flash", "KB"),
+          Feature("mcu_ram", "RAM", "KB"), Feature("mcu_core_clock", "Core clock", "MHz"),
           Feature("mcu_bus_clock", "Bus clock", "MHz"), Feature("flash_base", "Address of the flash"),
           Feature("flash_size", "Size of the flash", "bytes")),
     one(Question("adc", "bdid"), lambda dish: dish.adc.board_id(), text("board_id", "Board")),
@@ -49,7 +49,7 @@ _IDENTITY = (
 )  # fmt: skip
 _DRIVERS = (
     *told(Question("a3981", "st"), lambda dish: dish.drivers.torque(),
-          *each(text("torque", "Torque of the {} motor (HIGH or LOW)"))),
+          *each(text("torque", "Torque of the {} motor"))),
     *told(Question("a3981", "cm"), lambda dish: dish.drivers.current_mode(),
           *each(text("current_mode", "Current mode, {} motor"))),
     *told(Question("a3981", "sm"), lambda dish: dish.drivers.step_mode(),
@@ -59,7 +59,7 @@ _DRIVERS = (
 )  # fmt: skip
 _CLEAR = FeatureRow(
     Question("a3981", "reset", min_interval_s=0.0).about(Feature(
-        CLEAR_FAULTS, "Clear the faults of the motor drivers", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE,
+        CLEAR_FAULTS, "Clear driver faults", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE,
         hazard="This clears the fault flags: what they tell is lost, and a motor that had switched off may be driven "
         "again. Look for the cause first: a blocked dish, a cable that pulls, a driver too hot.",
     )),
@@ -68,11 +68,11 @@ _CLEAR = FeatureRow(
 _SWITCHES = told(
     Question("dipswitch", "dipswitch"), lambda dish: dish.dipswitch.read(),
     replace(text("dip_meaning", "DIP switches in words"), note=_ALL_OFF),
-    text("dip_switches", "DIP switches, pins as read"), Feature("dip_code", "Satellites chosen by the DIP switches"),
+    text("dip_switches", "DIP switches, pins as read"), Feature("dip_code", "Satellites by the DIP switches"),
 )  # fmt: skip
 _PINS = told(
     Question("gpio", "regs"), lambda dish: dish.gpio.told(),
-    *(lines(f"pins.{port.lower()}", f"Pins of port {port}, with what they are for") for port in PORTS),
+    *(lines(f"pins.{port.lower()}", f"Pins of port {port}") for port in PORTS),
     lines("pins", "Pins of the processor, as printed"),
 )  # fmt: skip
 _ADC = one(
@@ -80,12 +80,12 @@ _ADC = one(
 )
 _EEPROM = in_lines(
     Question("eeprom", f"ee 0 to {FIRST_ENTRIES - 1}", FIRST_ENTRIES), lambda dish: dish.eeprom.first(), "eeprom",
-    f"First {FIRST_ENTRIES} entries of the processor's memory"
+    f"First {FIRST_ENTRIES} EEPROM entries"
 )  # fmt: skip
 _USE = (
-    in_lines(Question("mot", "life"), lambda dish: dish.motors.life(), "life", "Use of the motors, as printed"),
+    in_lines(Question("mot", "life"), lambda dish: dish.motors.life(), "life", "Use of the motors"),
     in_lines(Question("mot", "motorlife"), lambda dish: dish.motors.life_details(), "motor_life",
-             "Use of the motors in detail, as printed"),
+             "Use of the motors in detail"),
 )  # fmt: skip
 
 

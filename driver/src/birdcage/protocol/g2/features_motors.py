@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from birdcage.protocol.g2.feature_rows import Question, by_axis_of, each, text, told
+from birdcage.protocol.g2.feature_rows import Question, each, text, told, under
 from birdcage.protocol.g2.motors import GAINS
 from birdcage.protocol.g2.reading import per_axis
 from birdcage.protocol.motors import MOTORS, by_name
@@ -85,16 +85,22 @@ def _motor_gains(dish: CarryoutG2Protocol) -> dict[str, Value]:
 
 def motors(azimuth: Axis, elevation: Axis) -> tuple[FeatureRow, ...]:
     """Return the rows of a dish with these axes."""
-    rows = (
-        *told(Question("mot", "l"), lambda dish: dish.motors.states(), *each(text("motor", "State of the {} motor"))),
-        *told(Question("mot", "v"), lambda dish: dish.motors.velocities(),
-              *each(Feature("velocity", "Present {} speed", "deg/s"))),
-        _speed(azimuth), _speed(elevation),
-        _acceleration(azimuth), _acceleration(elevation),
-        *told(Question("mot", "p"), lambda dish: dish.motors.steps(),
-              *each(Feature("steps", "Raw {} position", "microsteps"))),
-        *(_gain(axis, name) for name in GAINS for axis in (azimuth, elevation)),
-        *told(Question("step", "pid"), lambda dish: dish.stepper.gains(),
-              *each(Feature("step_kp", "Gain Kp of STEP, {}")), *each(Feature("step_kv", "Gain Kv of STEP, {}"))),
+    axes, page = (azimuth, elevation), FeaturePage.MOTORS
+    return (
+        *under(
+            page, "State",
+            *told(Question("mot", "l"), lambda dish: dish.motors.states(),
+                  *each(text("motor", "State of the {} motor"))),
+            *told(Question("mot", "v"), lambda dish: dish.motors.velocities(),
+                  *each(Feature("velocity", "Present {} speed", "deg/s"))),
+            *told(Question("mot", "p"), lambda dish: dish.motors.steps(),
+                  *each(Feature("steps", "Raw {} position", "microsteps"))),
+        ),
+        *under(page, "Limits", *map(_speed, axes), *map(_acceleration, axes)),
+        *under(
+            page, "Gains",
+            *(_gain(axis, name) for name in GAINS for axis in axes),
+            *told(Question("step", "pid"), lambda dish: dish.stepper.gains(),
+                  *each(Feature("step_kp", "Gain Kp of STEP, {}")), *each(Feature("step_kv", "Gain Kv of STEP, {}"))),
+        ),
     )  # fmt: skip
-    return by_axis_of(FeaturePage.MOTORS, rows)

@@ -1,0 +1,288 @@
+"""F4: what the dish tells of itself, read when somebody looks, set after a question, put back by one key."""
+
+import re
+from concurrent.futures import Future
+from dataclasses import replace
+from itertools import pairwise
+from types import MappingProxyType
+
+import pytest
+import stand_in
+from birdcage.base.errors import CommandRefused
+from birdcage.protocol.carryout.model import CARRYOUT_2003
+from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, by_id
+from birdcage.station.requests import Read
+from birdcage.station.state import Activity
+from birdcage_tui.shown.system_sheet import cell_text, sheet_rows
+from birdcage_tui.system.detail_pane import DetailPane
+from birdcage_tui.system.sheet_pane import SheetPane
+from stage import run
+from test_end_to_end import House, played, press
+
+SIZES = [(80, 24), (120, 36), (160, 48)]
+
+
+def reading(value, unit="", at=100.0):
+    return Reading(value, unit, at, stand_in.VirtualClock().utc())
+
+
+# The rows
+
+
+def test_the_values_of_both_axes_stand_abreast_under_one_label():
+    rows = {row.key: row for row in sheet_rows(CARRYOUT_G2, FeaturePage.HARDWARE)}
+    row = rows["torque.azimuth"]
+    assert row.label.startswith("Torque of the motor")
+    assert row.axes == ("azimuth", "elevation")
+    assert [each.id for each in row.cells] == ["torque.azimuth", "torque.elevation"]
+
+
+def test_every_feature_of_a_page_stands_once_and_groups_stand_together():
+    for page in (FeaturePage.HARDWARE, FeaturePage.MOTORS, FeaturePage.RECEIVER):
+        rows = sheet_rows(CARRYOUT_G2, page)
+        shown = [each.id for row in rows for each in row.cells]
+        assert sorted(shown) == sorted(each.id for each in CARRYOUT_G2.features.values() if each.page is page)
+        groups = [row.group for row in rows]
+        assert len([a for a, b in pairwise(groups) if a != b]) == len(set(groups)) - 1
+
+
+def test_a_machine_that_is_not_known_or_tells_nothing_has_no_rows():
+    assert sheet_rows(None, FeaturePage.MOTORS) == ()
+    assert sheet_rows(CARRYOUT_2003, FeaturePage.RECEIVER) == ()
+
+
+@pytest.mark.parametrize(
+    ("feature", "value", "unit", "shown"),
+    [
+        (Feature("a", "A", "deg/s"), 64.998, "deg/s", "64.998 deg/s"),
+        (Feature("a", "A", "KB"), 512.0, "KB", "512 KB"),
+        (Feature("a", "A", kind=FeatureKind.SWITCH), True, "", "on"),
+        (Feature("a", "A", kind=FeatureKind.LINES), "one\ntwo", "", "2 lines"),
+        (Feature("a", "A", kind=FeatureKind.TEXT), "OK", "", "OK"),
+    ],
+)
+def test_a_value_is_shown_as_a_person_reads_it(feature, value, unit, shown):
+    assert cell_text(feature, {"a": reading(value, unit)}, 110.0).value == shown
+
+
+def test_what_was_not_told_is_a_dash_without_an_age():
+    told = cell_text(Feature("a", "A"), {}, 110.0)
+    assert (told.value, told.age_s) == ("--", None)
+
+
+# The page
+
+
+@pytest.mark.parametrize("size", SIZES, ids=str)
+@pytest.mark.parametrize("key", ["b", "m", "d"])
+def test_list_and_words_lie_inside_the_screen(size, key):
+    async def look(app, pilot):
+        await pilot.press(key)
+        await pilot.pause()
+        await pilot.pause()
+        seen = [*app.query(SheetPane), app.query_one(DetailPane)]
+        return [pane.region for pane in seen if pane.display]
+
+    found = run(look, size=size, key="f4")
+    assert len(found) == 2
+    for region in found:
+        assert region.width >= 40
+        assert region.height >= 5
+        assert region.right <= size[0]
+        assert region.bottom <= size[1]
+
+
+def answered(app, values, *, refuse=()):
+    """Let the station of a stand-in answer each `Read` with these values, at once."""
+    station = app.station
+
+    def submit(request):
+        station.asked.append(request)
+        future = Future()
+        if isinstance(request, Read):
+            wrong = [each for each in request.features if each in refuse]
+            if wrong:
+                future.set_exception(CommandRefused(f"{wrong[0]} is not known here."))
+            else:
+                now = app.session.clock.monotonic()
+                told = {each: reading(values.get(each, "x"), at=now) for each in request.features}
+                station.state = replace(station.state, readings=MappingProxyType({**station.state.readings, **told}))
+                future.set_result(told)
+        return future
+
+    station.submit = submit
+
+
+async def settle(pilot):
+    for _ in range(6):
+        await pilot.pause()
+
+
+def test_a_tab_asks_for_all_that_it_shows_in_two_questions_and_no_other_tab_does():
+    async def look(app, pilot):
+        answered(app, {})
+        await pilot.press("f4", "b")
+        await settle(pilot)
+        return app.station.asked_for(Read)
+
+    health, *reads = run(look)  # the first was for the Health tab, on arrival
+    asked = [name for each in reads for name in each.features]
+    page = {each.id for each in CARRYOUT_G2.features.values()
+            if each.page is FeaturePage.HARDWARE and each.is_readable and not each.read_hazard}  # fmt: skip
+    assert len(reads) <= 2
+    assert sorted(asked) == sorted(page - set(health.features)), "what was just told is not asked for again"
+
+
+def test_what_the_dish_refuses_is_marked_and_the_rest_is_read():
+    async def look(app, pilot):
+        answered(app, {}, refuse=("torque.azimuth", "torque.elevation"))
+        await pilot.press("f4", "b")
+        await settle(pilot)
+        for _ in range(40):
+            await pilot.pause()
+        app.paint()
+        await pilot.pause()
+        return stand_in.text_of(app), app.system.sheets.now
+
+    text, now = run(look, size=(120, 36))
+    assert set(now.failed) == {"torque.azimuth", "torque.elevation"}
+    assert not now.asked
+    assert re.search(r"Torque of the motor +▲ not told +▲ not told", text)
+
+
+def test_nothing_is_asked_while_the_dish_moves_and_the_page_says_so():
+    async def look(app, pilot):
+        await pilot.press("f4", "b")
+        await settle(pilot)
+        return app.station.asked_for(Read), stand_in.text_of(app)
+
+    reads, text = run(look, size=(120, 36), state={"activity": Activity.SLEWING})
+    assert reads == []
+    assert "Nothing is read while the dish moves." in text
+
+
+def test_a_hazard_is_read_only_after_a_question():
+    risky = Feature("risky", "Risky level", page=FeaturePage.RECEIVER, read_hazard="It switches the LNB supply.")
+    dish = replace(CARRYOUT_G2, features=by_id([risky]))
+
+    async def look(app, pilot):
+        answered(app, {"risky": 12.0})
+        await pilot.press("f4", "d")
+        await settle(pilot)
+        before = app.station.asked_for(Read)
+        await pilot.press("enter")
+        await settle(pilot)
+        asked = stand_in.text_of(app)
+        await pilot.press("y")
+        await settle(pilot)
+        return before, asked, app.station.asked_for(Read)
+
+    before, asked, after = run(look, state={"dish": dish})
+    assert before == []
+    assert "It switches the LNB supply." in asked
+    assert after == [Read(("risky",), agreed=True)]
+
+
+# On a real station, with a simulated dish
+
+
+async def on_tab(house, key, seconds=8):
+    await house.step(3)
+    await press(house, "f4", key)
+    await house.step(seconds)
+
+
+@played
+async def test_what_the_dish_tells_stands_there_with_age_and_source(tmp_path):
+    house = House()
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await on_tab(house, "b")
+        text = house.text()
+        assert re.search(r"Driver of the motor.* OK +OK", text)
+        assert re.search(r"Antenna ID +12-IN G2", text)
+
+
+def lines_sent(house, since):
+    return [line for at, line in house.device.shell.received if at >= since]
+
+
+@played
+async def test_a_hidden_page_asks_nothing():
+    house = House()
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await on_tab(house, "b", 1)
+        await press(house, "f2")
+        await house.step(6)
+        since = house.clock.monotonic()
+        await house.step(30)
+        assert set(lines_sent(house, since)) <= {"a", ""}
+
+
+async def settled(house):
+    for _ in range(40):
+        await house.step(0.2)
+        if house.app.system.sheets.is_settled:
+            return
+    raise AssertionError("it is still reading")
+
+
+@played
+async def test_the_first_visit_costs_little_more_than_its_lines():
+    house = House()
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await house.step(3)
+        await press(house, "f4", "b")
+        await settled(house)
+        since = house.clock.monotonic()
+        await press(house, "m")
+        await settled(house)
+        sent = [line for line in lines_sent(house, since) if line not in ("a", "")]
+        least = ["l", "v", "p", "pid", "q", "step", "ma", "pid", "q", "mot"]
+        assert set(least) <= set(sent)
+        assert len(sent) <= 1.2 * len(least), sent
+
+
+async def set_value(house, text):
+    from textual.widgets import Input
+
+    await press(house, "e")
+    await house.step(0.3)
+    house.app.screen.query_one(Input).value = text
+    await press(house, "enter")
+    await house.step(0.3)
+
+
+@played
+async def test_a_speed_is_set_after_a_question_that_names_old_and_new_and_u_puts_it_back():
+    house = House()
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await on_tab(house, "m")
+        pane = house.app.query_one("#system-motors")
+        rows = pane.rows(house.app.view())
+        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "speed.azimuth")
+        await set_value(house, "20")
+        asked = house.text()
+        assert re.search(r"64\.99\d* deg/s +→ +20 deg/s", asked)
+        await press(house, "y")
+        await house.step(3)
+        assert house.app.station.state.readings["speed.azimuth"].value == pytest.approx(20.0, abs=0.02)
+        await press(house, "u")
+        await house.step(3)
+        assert house.app.station.state.readings["speed.azimuth"].value == pytest.approx(65.0, abs=0.02)
+        await press(house, "u")
+        await house.step(1)
+        assert "Nothing was set here that can be put back." in house.text()
+
+
+@played
+async def test_a_value_beyond_its_range_is_refused_in_the_field_and_sends_nothing():
+    house = House()
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await on_tab(house, "m")
+        pane = house.app.query_one("#system-motors")
+        rows = pane.rows(house.app.view())
+        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "speed.azimuth")
+        await set_value(house, "400")
+        assert "335 deg/s beyond its limit of 65 deg/s" in " ".join(re.findall(r"[^│\s]+", house.text()))
+        assert house.app.station.state.readings["speed.azimuth"].value == pytest.approx(65.0, abs=0.02)

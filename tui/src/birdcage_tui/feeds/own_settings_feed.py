@@ -1,0 +1,200 @@
+"""Reads and writes the dish's own settings for the System page: edits wait in the app until they are written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import ConfigError, StoreError
+from birdcage.base.paths import write_aside_and_rename
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWritten
+from birdcage.rotator.settings_compare import differences, restoring
+from birdcage.rotator.settings_file import SettingsDump, backup_path, read_settings_file, settings_text
+from birdcage.station.access import FaceStation
+from birdcage.station.requests import ReadSettings, Request, SaveSettings, WriteSettings
+from birdcage.station.state import LinkPhase
+
+from birdcage_tui.feeds.sheet_feed import LOOKED_S, waits_for
+from birdcage_tui.shown.own_settings import OwnSettingsNow
+from birdcage_tui.shown.system_sheet import OLD_S
+from birdcage_tui.shown.view import YOU
+
+MOST_AT_ONCE = 25
+"""Rows of one request: written well within the time that an answer of another program may take."""
+MOST_BACKUPS = 40
+"""Files to choose from, the newest."""
+
+
+class OwnSettingsFeed:
+    """For the app's thread; one request at a time."""
+
+    def __init__(
+        self, station: FaceStation, clock: Clock, soon: Callable[[Callable[[], None]], object],
+        changed: Callable[[], object], say: Callable[[str], object], folder: Path | None,
+    ) -> None:  # fmt: skip
+        """`say` hears what was done; backups are looked for in `folder`, None: there are none."""
+        self._station, self._clock, self._soon, self._changed = station, clock, soon, changed
+        self._say, self._folder = say, folder
+        self.now = OwnSettingsNow()
+        self._looked_at = -LOOKED_S
+
+    def look(self) -> None:
+        """Somebody looks at the table: read it on arrival, if it is old, and as soon as the dish rests."""
+        now = self._clock.monotonic()
+        arrived = now - self._looked_at > LOOKED_S
+        self._looked_at = now
+        state, shown = self._station.state, self.now
+        has = state.dish is not None and state.dish.has_own_settings
+        old = shown.read_at is None or (arrived and now - shown.read_at > OLD_S)
+        if has and old and not shown.busy and not shown.wrong and not waits_for(state):
+            self.read()
+
+    def read(self) -> None:
+        """Read the whole table now."""
+        self._ask(ReadSettings(), "reading", self._have_table)
+
+    def stage(self, index: int, value: str | None) -> None:
+        """Have a row written with the next write; None: not any more."""
+        staged = {row: text for row, text in self.now.staged.items() if row != index}
+        self._show(staged=staged if value is None else {**staged, index: value}, wrong="")
+
+    def stage_all(self, values: Mapping[int, str]) -> None:
+        """Have these rows written with the next write, and no others."""
+        self._show(staged=dict(values), wrong="")
+
+    def write(self) -> None:
+        """Write what is staged into the dish's memory; a person was shown the differences, and agreed."""
+        rows = {} if self.now.table is None else self.now.table.rows
+        self._write_next({index: rows[index].current for index in self.now.staged if index in rows})
+
+    def _write_next(self, before: Mapping[int, str]) -> None:
+        """Write some of what is staged; `before` is what all of it was."""
+        part = dict(list(self.now.staged.items())[:MOST_AT_ONCE])
+        self._ask(WriteSettings(part, YOU, agreed=True), "writing", partial(self._have_written, part, before))
+
+    def save(self) -> None:
+        """Save all that the dish's memory holds to flash; a person was told that it needs a power cycle."""
+        self._ask(SaveSettings(YOU, agreed=True), "saving", self._have_saved)
+
+    def _have_saved(self, table: object) -> None:
+        self._have_table(table)
+        self._say("Saved to flash. It counts from the next power cycle: switch the dish off and on.")
+
+    def undo(self) -> bool:
+        """Drop what is staged; with nothing staged, stage the values from before the last write. False for neither."""
+        if self.now.staged:
+            self._show(staged={}, wrong="")
+            return True
+        if not self.now.undo:
+            return False
+        *earlier, last = self.now.undo
+        self._show(staged=dict(last), undo=tuple(earlier), wrong="")
+        return True
+
+    def _have_table(self, table: object) -> None:
+        assert isinstance(table, SettingsTable), "the station's promise"
+        self._show(table=table, read_at=self._clock.monotonic())
+
+    def _have_written(self, part: Mapping[int, str], before: Mapping[int, str], written: object) -> None:
+        assert isinstance(written, SettingsWritten), "the station's promise"
+        left = {index: value for index, value in self.now.staged.items() if part.get(index) != value}
+        self._show(table=written.table, read_at=self._clock.monotonic(), staged=left,
+                   backup=written.backup or self.now.backup)  # fmt: skip
+        if any(index in before for index in left):
+            self._write_next(before)
+        else:
+            self._show(undo=(*self.now.undo, before))
+            self._say(f"Written to the dish's memory. s saves it to flash. Backup: {self.now.backup}")
+
+    def back_up(self) -> str:
+        """Write the table as it was read to a file, and return a sentence that says where. BirdcageError if not."""
+        facts, table = self._known()
+        if self._folder is None:
+            raise ConfigError("There is no folder for backups.")
+        utc = self._clock.utc()
+        path = backup_path(self._folder, facts.settings_name, facts.firmware, utc)
+        text = settings_text(facts.name, facts.firmware, utc, table.printed, demo=self._station.state.demo)
+        try:
+            write_aside_and_rename(path, text.encode())
+        except OSError as error:
+            raise StoreError(f"{path} can't be written: {error.strerror}.") from error
+        self._show(backup=str(path))
+        return f"Backup: {path}"
+
+    def backups(self) -> list[Path]:
+        """Return the files of backups, the newest first."""
+        if self._folder is None or not self._folder.is_dir():
+            return []
+        return sorted(self._folder.glob("*.txt"), key=lambda path: path.name.rpartition("-")[2], reverse=True)[
+            :MOST_BACKUPS
+        ]
+
+    def stage_from(self, path: Path) -> str:
+        """Stage what differs from a file; return a sentence. BirdcageError where it can't be restored here."""
+        facts, table = self._known()
+        dump, rows = self._dump(path, facts)
+        new = restoring(dump, rows, table, facts.firmware, facts.settings_known, path.name)
+        self.stage_all(new)
+        if new:
+            return f"{len(new)} rows differ from {path.name}. w shows and writes them, then s saves."
+        if table.unsaved:
+            return f"The dish's memory holds {path.name}, its flash not yet. s saves it."
+        return f"The dish holds what {path.name} holds."
+
+    def compare(self, path: Path) -> list[str]:
+        """Return a line for each row that differs from a file. BirdcageError where it can't be read."""
+        facts, table = self._known()
+        dump, rows = self._dump(path, facts)
+        if dump.firmware and dump.firmware != facts.firmware:
+            raise StoreError(f"{path.name} is of firmware {dump.firmware}, and this dish speaks {facts.firmware}.")
+        return [
+            f"{each.index:>3}  {each.name}:  file {each.first or '--'},  dish {each.second or '--'}"
+            for each in differences(rows, table.rows)
+        ]
+
+    def _known(self) -> tuple[Facts, SettingsTable]:
+        facts, table = self._station.state.dish, self.now.table
+        if facts is None or table is None:
+            raise StoreError("The dish's settings are not read yet. r reads them.")
+        return facts, table
+
+    @staticmethod
+    def _dump(path: Path, facts: Facts) -> tuple[SettingsDump, Mapping[int, SettingRow]]:
+        from birdcage.rotator import machines
+
+        dump, own = read_settings_file(path), machines.make(facts.firmware).own_settings
+        if own is None:
+            raise StoreError(f"The {facts.name} has no settings that can be read.")
+        return dump, own.parse(dump.printed)
+
+    def _ask(self, request: Request, busy: str, have: Callable[[object], None]) -> None:
+        if self.now.busy:
+            return
+        self._show(busy=busy, wrong="")
+        future = self._station.submit(request)
+        future.add_done_callback(lambda done: self._soon(partial(self._done, request, done, have)))
+
+    def _done(self, request: Request, done: Future[object], have: Callable[[object], None]) -> None:
+        self._show(busy="")
+        error = None if done.cancelled() else done.exception()
+        if error is not None:
+            self._show(wrong=str(error))
+            if isinstance(request, WriteSettings | SaveSettings) and self._station.state.link.state is LinkPhase.UP:
+                self._ask(ReadSettings(), "reading", partial(self._have_table_after, str(error)))
+        elif not done.cancelled():
+            have(done.result())
+        self._changed()
+
+    def _have_table_after(self, wrong: str, table: object) -> None:
+        """Show what a write that went wrong has left, and still why."""
+        self._have_table(table)
+        self._show(wrong=wrong)
+
+    def _show(self, **changes: object) -> None:
+        self.now = replace(self.now, **changes)  # type: ignore[arg-type]
+        self._changed()

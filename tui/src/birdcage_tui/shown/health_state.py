@@ -1,0 +1,20 @@
+"""What the Health tab shows."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from birdcage.diagnostics.health import DishHealth
+
+
+@dataclass(frozen=True, slots=True)
+class HealthNow:
+    """Pure data; none before the journal was read."""
+
+    health: DishHealth | None = None
+    read_at: float | None = None
+    """Monotonic seconds."""
+    problem: str = ""
+    """Why it can't be read, or the last acknowledgement not be kept, as a sentence."""

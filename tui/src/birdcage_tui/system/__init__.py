@@ -1,0 +1,1 @@
+"""The System page: what stands on each of its tabs."""

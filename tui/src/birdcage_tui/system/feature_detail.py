@@ -1,0 +1,34 @@
+"""What there is to know of a feature: its value with all its lines, its source, how it is set and what that risks."""
+
+from __future__ import annotations
+
+from birdcage.rotator.feature import Feature, FeatureKind
+
+from birdcage_tui.drawing.cell_text import wrap
+from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.system_sheet import cell_text, lines_of, may_be_set_words
+from birdcage_tui.shown.view import View
+from birdcage_tui.system.cursor_pane import Line
+
+
+def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
+    """Return what there is to say of a feature, what counts most first, wrapped to a width."""
+    told = cell_text(feature, view.state.readings, view.now)
+    lines: list[Line] = []
+
+    def say(ink: str, words: str) -> None:
+        lines.extend((ink, line) for line in wrap(words, max(width, 10)) if words)
+
+    if feature.kind is not FeatureKind.MOMENTARY:
+        say("strong", f"{told.value}" if told.age_s is None else f"{told.value}, {age_text(told.age_s)} ago")
+    if (why := view.sheet.failed.get(feature.id)) is not None:
+        say("warn", f"▲ {why}")
+    say("text", f"{words}." if (words := may_be_set_words(feature)) else "")
+    say("dim", feature.note)
+    say("warn", f"▲ {hazard}" if (hazard := feature.hazard or feature.read_hazard) else "")
+    asked = f"Asked by {feature.asked}. " if feature.asked else ""
+    say("dim", f"{asked}`birdcage {'set' if not feature.is_readable else 'get'} {feature.id}` does it in a shell.")
+    printed = lines_of(feature, view.state.readings)
+    if len(printed) > 1:
+        lines += [("", ""), *(("text", line) for line in printed)]
+    return lines

@@ -1,0 +1,104 @@
+"""What the commands of a tab of features do: show all of a value, read what has a hazard, set, put back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from birdcage.rotator.feature import Feature, FeatureKind, Value
+
+from birdcage_tui.shown.allowed import can_release
+from birdcage_tui.shown.system_sheet import cell_text
+from birdcage_tui.system.ask_feature import (
+    DETAIL_WIDTH,
+    lines_screen,
+    new_value,
+    read_value,
+    set_question,
+    value_field,
+)
+from birdcage_tui.system.sheet_pane import SheetPane
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.fields_screen import Values
+
+if TYPE_CHECKING:
+    from birdcage_tui.feeds.sheet_feed import SheetFeed
+    from birdcage_tui.widgets.page import Page
+
+
+class SheetHands:
+    """Does them on its page."""
+
+    def __init__(self, page: Page) -> None:
+        self._page = page
+
+    @property
+    def _feed(self) -> SheetFeed:
+        return self._page.host.system.sheets
+
+    def do(self, name: str, sheet: SheetPane) -> bool:
+        """Carry out a command of the tab that is seen; return False for an unknown one."""
+        match name:
+            case "up" | "down":
+                sheet.move(1 if name == "down" else -1)
+            case "page-up" | "page-down":
+                sheet.move(sheet.page_rows if name == "page-down" else -sheet.page_rows)
+            case "left" | "right":
+                sheet.move_across(1 if name == "right" else -1)
+            case "open":
+                self._open(sheet)
+            case "set":
+                self._set(sheet)
+            case "undo":
+                self._undo()
+            case _:
+                return False
+        return True
+
+    def _open(self, sheet: SheetPane) -> None:
+        view = self._page.host.view()
+        if can_release(view) is None:  # Enter releases what is held before anything else
+            self._page.host.action_command("release")
+            return
+        feature = sheet.chosen(view)
+        if feature is None:
+            return
+        if feature.read_hazard and feature.id not in view.state.readings:
+            question = QuestionScreen(feature.label, feature.read_hazard, "read it")
+            self._page.app.push_screen(question, lambda yes: self._feed.read(feature) if yes else None)
+            return
+        if (detail := sheet.detail(view, DETAIL_WIDTH)) is not None:
+            self._page.app.push_screen(lines_screen(detail))
+
+    def _set(self, sheet: SheetPane) -> None:
+        view = self._page.host.view()
+        feature = sheet.chosen(view)
+        if feature is None or not feature.is_writable:
+            self._page.host.say("This value can't be set." if feature is not None else "Nothing is selected.")
+        elif feature.kind is FeatureKind.MOMENTARY:
+            self._ask(feature, True)
+        elif feature.kind is FeatureKind.SWITCH:
+            self._ask(feature, new_value(feature, view))
+        else:
+            self._page.app.push_screen(value_field(feature, view), lambda values: self._typed(feature, values))
+
+    def _typed(self, feature: Feature, values: Values | None) -> None:
+        if values is not None:
+            self._ask(feature, read_value(feature, values[0]))
+
+    def _ask(self, feature: Feature, value: Value) -> None:
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self._feed.set(feature, value)
+                undo = " u puts it back." if feature.is_readable else ""
+                self._page.host.say(f"{feature.label}: sent.{undo}")
+
+        self._page.app.push_screen(set_question(feature, value, self._page.host.view()), answered)
+
+    def _undo(self) -> None:
+        change = self._feed.undo()
+        if change is None or change.before is None:
+            self._page.host.say("Nothing was set here that can be put back.")
+            return
+        view = self._page.host.view()
+        now = cell_text(change.feature, view.state.readings, view.now).value
+        self._page.host.say(f"Putting {change.feature.label} back from {now}.")

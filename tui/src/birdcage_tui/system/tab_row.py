@@ -1,0 +1,43 @@
+"""The tabs of the System page: one row, each name with its key, and a target for the mouse."""
+
+from __future__ import annotations
+
+from birdcage_tui.commands import BY_NAME
+from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.view import View
+from birdcage_tui.widgets.pane import Pane
+
+TABS = ("health", "hardware", "motors", "settings", "receiver")
+
+
+class SystemTabs(Pane):
+    """Names of the tabs; the one that is seen stands out, and says so with a sign."""
+
+    INK = "bar-dim"
+    shown = TABS[0]
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write them from the left, and at the right whether the page asks the dish now."""
+        x = 1
+        for name in TABS:
+            command, here = BY_NAME[f"system-{name}"], name == self.shown
+            start = x
+            if here:
+                x = cells.put(x, 0, f" ▼ {command.title} ", "accent-row")
+            else:
+                x = cells.put(x, 0, f" {command.shown} ", "key")
+                x = cells.put(x, 0, f"{command.title} ", "bar")
+            self.heat(start, 0, x - start, command.name)
+            x += 2
+        words = _asking(view)
+        if len(words) < cells.width - x:
+            cells.right(cells.width - 1, 0, words, "bar-dim")
+
+
+def _asking(view: View) -> str:
+    sheet = view.sheet
+    if sheet.waits:
+        return sheet.waits
+    if sheet.asked:
+        return f"reading, {len(sheet.asked)} to go"
+    return "hidden tabs ask nothing"
