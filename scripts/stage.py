@@ -20,6 +20,8 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
 from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettings
 from birdcage.base.paths import Paths, throw_away_paths
+from birdcage.diagnostics.motor_test_records import MotorTestBook
+from birdcage.diagnostics.motor_test_task import MotorTests
 from birdcage.setup.engine import Setup
 from birdcage.signal.source_set import SourceSet
 from birdcage.skymap.map_keeper import MapKeeper
@@ -128,12 +130,15 @@ async def demo(
         remember_demo(paths, firmware)
         signals = SourceSet(here, clock, threads=False)
         maps = MapKeeper(signals, paths.signal_recordings, here)
+        motors = MotorTests(MotorTestBook(paths.journal))
         session = open_session(
             port=demo_port(firmware, dish), firmware=firmware, baud=None, settings=here, paths=paths, clock=clock,
-            identify=name_demo, tasks={**signals.tasks, **map_tasks(maps)},
+            identify=name_demo, tasks={**signals.tasks, **map_tasks(maps), **motors.tasks},
+            on_close=motors.book.close,
         )  # fmt: skip
         signals.attach(session.station)
         maps.attach(session.station)
+        motors.attach(session.station)
         session.start = lambda: None  # stepped here instead of running on its thread
         settings = AppOptions(
             theme=theme,

@@ -19,6 +19,8 @@ from birdcage.base.errors import BirdcageError
 from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.signals import SignalListener
+from birdcage.diagnostics.motor_test_records import MotorTestBook
+from birdcage.diagnostics.motor_test_task import MotorTests
 from birdcage.setup.first_run import is_first_run
 from birdcage.signal.source_set import SourceSet
 from birdcage.skymap.map_keeper import MapKeeper
@@ -242,6 +244,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
     sources = SourceSet(settings, clock, load_again, memory=paths.found_directions,
                         keep=lambda changes: edit(paths.config_file, changes))  # fmt: skip
     maps = MapKeeper(sources, paths.signal_recordings, settings)
+    motors = MotorTests(MotorTestBook(paths.journal))
     attached = None if options.demo else _attach(paths, settings.dish.port)
     session: FaceSession
     if attached is not None:
@@ -259,7 +262,8 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             survey=not options.skip_init,
             identify=name_demo if options.demo else None,
             load=load_again,
-            tasks={**sources.tasks, **map_tasks(maps)},
+            tasks={**sources.tasks, **map_tasks(maps), **motors.tasks},
+            on_close=motors.book.close,
         )
         # A first run begins with the setup, and so does one without a port, or with a dish that did not tell what it
         # is: nothing else can be done there.
@@ -277,6 +281,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
 
     sources.attach(session.station)
     maps.attach(session.station)
+    motors.attach(session.station)
     network, services = None, Services()
     if attached is not None:
         track = follow_there(attached.station)

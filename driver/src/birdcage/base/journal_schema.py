@@ -93,5 +93,15 @@ HEALTH = (
 )
 """What `birdcage.diagnostics` judges by: of which axis a fault is, what happened to dish and link, and sums by day."""
 
-MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN, LEVELS, HEALTH)
+MOTOR_TESTS = (
+    """CREATE TABLE motor_test (
+        id INTEGER PRIMARY KEY, utc TEXT NOT NULL, dish TEXT NOT NULL, axis TEXT NOT NULL, way_deg REAL NOT NULL,
+        speed_up REAL, speed_up_sigma REAL, speed_down REAL, speed_down_sigma REAL, speed_nominal REAL,
+        acceleration_up REAL, acceleration_up_sigma REAL, acceleration_down REAL, acceleration_down_sigma REAL,
+        acceleration_nominal REAL, arrival_deg REAL, readings INTEGER NOT NULL, stalled_at_deg REAL
+    )""",
+    "CREATE INDEX motor_test_by_dish ON motor_test (dish, axis)",
+)
+
+MIGRATIONS = (FAULTS, WEAR, PASSES, CLEAN, LEVELS, HEALTH, MOTOR_TESTS)
 """Of the whole file. Whoever opens it passes this, and does not take the others' tables for a newer program's."""

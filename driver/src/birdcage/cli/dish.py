@@ -204,6 +204,8 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
 
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
+    from birdcage.diagnostics.motor_test_records import MotorTestBook
+    from birdcage.diagnostics.motor_test_task import MotorTests
     from birdcage.signal.source_set import SourceSet
     from birdcage.skymap.map_keeper import MapKeeper
     from birdcage.skymap.map_task import map_tasks
@@ -217,13 +219,20 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
         )
     sources = SourceSet(wanted.settings, clock, wanted.load, memory=wanted.paths.found_directions)
     maps = MapKeeper(sources, wanted.paths.signal_recordings, wanted.settings)
+    motors = MotorTests(MotorTestBook(wanted.paths.journal))
+
+    def close() -> None:
+        sources.close_meters()
+        motors.book.close()
+
     session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,
-        clock=clock, survey=survey, load=wanted.load, tasks={**sources.tasks, **map_tasks(maps)},
-        on_close=sources.close_meters,
+        clock=clock, survey=survey, load=wanted.load, tasks={**sources.tasks, **map_tasks(maps), **motors.tasks},
+        on_close=close,
     )  # fmt: skip
     sources.attach(session.station)
     maps.attach(session.station)
+    motors.attach(session.station)
     return session
 
 

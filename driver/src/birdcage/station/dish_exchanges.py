@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station.parts import Parts
@@ -47,6 +48,10 @@ class DishExchanges:
             if isinstance(step, WriteFeature):
                 return {step.id: rotator.write(step.id, step.value)}
             readings = rotator.read(step.ids)
+        except (CommandRefused, NoReply) as error:
+            if not (isinstance(step, ReadFeatures) and step.optional) or getattr(error, "trouble", None) is not None:
+                raise
+            readings = {}
         finally:
             if rotator.is_open:
                 rotator.make_ready()

@@ -10,6 +10,7 @@ from birdcage.base.errors import BirdcageError, CommandRefused, MotionRefused, N
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
 from birdcage.station.arrival_hearing import ArrivalHearing
+from birdcage.station.clear_way import clear_way
 from birdcage.station.dish_exchanges import DishExchanges
 from birdcage.station.mover import POLL_S, Job
 from birdcage.station.parts import Parts
@@ -22,6 +23,7 @@ from birdcage.station.sweep_exchange import SweepExchange
 from birdcage.station.unsure_move import UnsureMove
 from birdcage.tracking.steps import (
     CheckSweep,
+    FindWay,
     Hear,
     HearAt,
     HomeAxis,
@@ -156,13 +158,15 @@ class StepRunner:
         if isinstance(step, SlewTo | PointAt):
             return self._slew()
         if isinstance(step, Read):
-            return self._read()
+            return self._read(patient=step.patient)
         if isinstance(step, LimitSpeeds):
             return self._limit(step)
         if isinstance(step, HomeAxis):
             self._exchanges.home(step.axis)
         elif isinstance(step, CheckSweep):
             self.sweeping.check(step)
+        elif isinstance(step, FindWay):
+            return clear_way(self._antenna.gate, step, self.now_s)
         elif isinstance(step, SweepAxis):
             return self._swept(step)
         elif isinstance(step, TakeReferences):
@@ -369,15 +373,15 @@ class StepRunner:
             over = True  # it has come back, or cannot
         return StepResult(self.now_s) if over else None
 
-    def _read(self) -> StepResult:
-        before_s = self.now_s
+    def _read(self, *, patient: bool = False) -> StepResult:
+        before_s, follows = self.now_s, self._store.state.activity is Activity.FOLLOWING
         try:
-            pointing = self._reader.position(glance=self._store.state.activity is Activity.FOLLOWING)
+            pointing = self._reader.position(glance=follows and not patient)
         except NoReply as error:
             self._bear(error)
             return StepResult(self.now_s)
         self._lost = self._late = 0
-        if self._store.state.activity is Activity.FOLLOWING:
+        if follows:
             self._show()
         if pointing is None:
             raise PositionUnknown(LOST, reason=Reason.UNHOMED)
@@ -386,4 +390,5 @@ class StepRunner:
         az_deg = self.unrolled(pointing.dish_az_deg)
         if self._az_deg is None:
             self._az_deg = az_deg
-        return StepResult(now_s, None, az_deg, pointing.dish_el_deg, (before_s + now_s) / 2)
+        took_s = self._antenna.rotator.line.took_s * self._store.clock.rate
+        return StepResult(now_s, None, az_deg, pointing.dish_el_deg, (before_s + now_s) / 2, took_s=took_s)

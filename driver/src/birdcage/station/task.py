@@ -34,7 +34,7 @@ class Task(ABC):
     """Whether it may go on with no person near: then the owner's command is asked whether the dish may move."""
     gives_back: ClassVar[bool] = True
     """Whether it gives control back at its end; else whoever asked for it keeps control."""
-    cut_words: ClassVar[str] = ""
+    cut_words: str = ""
     """What STOP has cut short, in a sentence."""
     resume_words: ClassVar[str] = "Release it to resume."
     """What makes it go on, once it was interrupted."""

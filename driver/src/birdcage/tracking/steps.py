@@ -44,6 +44,9 @@ class SlewTo:
 class ReadPosition:
     """Read where the dish is."""
 
+    patient: bool = False
+    """Whether an answer is waited for as at rest: no target comes after it that its wait could hold up."""
+
 
 @dataclass(frozen=True, slots=True)
 class Hear:
@@ -104,6 +107,8 @@ class ReadFeatures:
     """Read features of the machine by their ids; in motion only those whose cost says `while_moving`."""
 
     ids: tuple[str, ...]
+    optional: bool = False
+    """Whether a machine that does not tell is no reason to end the task: the answer has no readings then."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,6 +141,15 @@ class SweepAxis:
     """Takes each reading as it comes: true azimuth, elevation, level."""
 
 
+@dataclass(frozen=True, slots=True)
+class FindWay:
+    """Find how far an axis may turn to and fro, about where it stands. Sends nothing."""
+
+    axis: int
+    """Motor number."""
+    longest_deg: float
+
+
 Step: TypeAlias = (
     Wait
     | Send
@@ -150,6 +164,7 @@ Step: TypeAlias = (
     | WriteFeature
     | CheckSweep
     | SweepAxis
+    | FindWay
 )
 
 
@@ -173,6 +188,11 @@ class StepResult:
     true_el_deg: float | None = None
     unread: int = 0
     """Of a `SweepAxis`: how many lines could not be read."""
+    took_s: float | None = None
+    """Of a `ReadPosition`: how long the last question for it took; the dish was there at some time within."""
+    way_deg: tuple[float, float] | None = None
+    """Of a `FindWay`: its ends on the scale of `Send`; None where there is none, and `refused` says why."""
+    refused: str = ""
 
     def is_lost(self, step: Step) -> bool:
         """Return whether the dish's answer to a step was lost, or came too late."""
