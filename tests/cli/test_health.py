@@ -33,7 +33,7 @@ def test_the_worst_comes_first_with_what_to_do_and_the_status_says_that_somethin
     assert said.exit_code == 1
     lines = said.stdout.splitlines()
     assert lines[0].startswith("✗ AZ stalled 4 times since ")
-    assert lines[0].endswith("each time at 118°. Something stands in its way there.")
+    assert lines[0].endswith("each time at 118°. Something probably stands in its way there.")
     assert lines[2].startswith("  → Cut its power, and look at what the dish meets at azimuth 118°, elevation 30°")
     assert "! Lowest elevation (NVS 101) changed " in said.stdout
     assert "18.00° before, 10.00° now." in said.stdout

@@ -57,6 +57,10 @@ class MadeHistory:
         self.rows.append(DishIncident(self.at(days_ago, hour), self.dish, kind, moving, "usb:1", ""))
         return self
 
+    def homed(self, days_ago: float, axes: str) -> MadeHistory:
+        self.rows.append(DishIncident(self.at(days_ago), self.dish, IncidentKind.HOMED, False, "usb:1", axes))
+        return self
+
     def restart(self, days_ago: float, hour: float = 12.0, *, moving: bool = False) -> MadeHistory:
         self.fault(days_ago, "reboot", hour)
         return self.incident(days_ago, IncidentKind.RESTART, hour, moving=moving)

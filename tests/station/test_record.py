@@ -108,6 +108,7 @@ def test_a_restart_is_kept_once_with_whether_the_dish_moved(kept):
     bench.do(AcknowledgeFault("you"))
     bench.do(Release("you"))
     bench.do(Home("you"), 90)
+    assert here.rows("SELECT sentence FROM incident WHERE kind = 'homed'") == [("azimuth, elevation",)]
     bench.station.submit(Goto(200, 60, "you"))
     bench.step(1.0)
     bench.device.reboot()
@@ -182,3 +183,13 @@ def test_settings_that_were_saved_are_kept_by_name(kept, tmp_path):
     bench.do(SetSearch(disabled=True, holder="you"))
     saved = here.rows("SELECT sentence FROM incident WHERE kind = 'saved' ORDER BY id")
     assert saved == [("Sleep Mode Timer Secs",), ("TV search at power-up",)]
+
+
+def test_a_homing_that_is_cut_short_is_no_homing(kept):
+    here = kept(address="g2?seed=1&unhomed=1")
+    bench = here.bench.connect()
+    bench.later(2.0, lambda: bench.station.stop("you"))
+    future = bench.station.submit(Home("you"))
+    bench.step(40)
+    assert future.exception(0) is not None
+    assert here.rows("SELECT sentence FROM incident WHERE kind = 'homed'") == []

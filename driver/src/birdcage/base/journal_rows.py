@@ -71,6 +71,8 @@ class IncidentKind(StrEnum):
     """The port is gone."""
     BACK = "back"
     """The dish answers again."""
+    HOMED = "homed"
+    """Axes that were homed, which the sentence names, have found their references."""
     SAVED = "saved"
     """The dish saved settings of its own, which count from its next power cycle on."""
 

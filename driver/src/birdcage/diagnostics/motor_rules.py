@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from datetime import datetime, timedelta
 
 from birdcage.base.geometry import shortest_turn
-from birdcage.base.journal_rows import JournalEntry
+from birdcage.base.journal_rows import IncidentKind, JournalEntry
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.finding import Finding, Urgency
 from birdcage.diagnostics.wording import at_angles, axis_word, clock, how_often, many, on, times
@@ -31,14 +31,16 @@ def failed_homing(seen: Examination) -> Iterator[Finding]:
     for axis, faults in _by_axis(seen.of_reason(FaultReason.STALL, homing=True)):
         last, word = faults[-1].utc, axis_word(axis)
         remedies = {} if seen.facts is None else seen.facts.handling.home_remedies
-        todo = [remedies.get(axis) or f"Cut its power. Find what blocks {word}, and free it. {seen.home_it}"]
+        todo = [remedies.get(axis) or f"Cut its power. Find what blocks {word}, and free it."]
+        if axis not in remedies:
+            todo.append(seen.home_it)
         if seen.facts is not None and seen.facts.handling.stow_by_hand:
             todo.append(seen.facts.handling.stow_by_hand)
         moments = [each.utc for each in faults]
-        if _has_worked_since(seen, last):
+        if _has_homed_since(seen, axis, last):
             yield Finding(
                 f"homing.{axis}", Urgency.WILL_STOP,
-                f"{word} failed to home {how_often(moments, seen.now)}. It knows its place again.",
+                f"{word} failed to home {how_often(moments, seen.now)}. Since then it has homed without that.",
                 "What kept it from its reference may do so again.", tuple(todo), moments[0], last, len(faults),
             )  # fmt: skip
             continue
@@ -49,11 +51,14 @@ def failed_homing(seen: Examination) -> Iterator[Finding]:
         )  # fmt: skip
 
 
-def _has_worked_since(seen: Examination, then: datetime) -> bool:
-    """Return whether the dish knows its reference again; of a dish out of reach, whether it was used on a later day."""
-    if seen.answers:
-        return seen.state.homed is True and seen.state.fault is None
-    return any(each.moves and each.day > then.date() for each in seen.history.wear)
+def _has_homed_since(seen: Examination, axis: str, then: datetime) -> bool:
+    """Return whether an axis was homed since, or a dish has started that homes by that. An angle proves nothing."""
+    boot = timedelta(seconds=seen.facts.boot_s if seen.facts is not None else 0.0)
+    homed = [each for each in seen.history.recent_incidents(IncidentKind.HOMED) if axis in each.sentence.split(", ")]
+    started = seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
+    homes_itself = seen.facts is not None and seen.facts.homing_s is None
+    # The boot text of the start in which it failed may come behind the failure.
+    return any(each.utc > then for each in homed) or (homes_itself and any(each.utc > then + boot for each in started))
 
 
 def stalls(seen: Examination) -> Iterator[Finding]:
@@ -74,7 +79,8 @@ def stalls(seen: Examination) -> Iterator[Finding]:
 def _stalled(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> Finding:
     todo = (
         "Look at the dish: the cable by its arm, ice, something in its way. Cut its power before you touch it.",
-        f"Free it. {seen.home_it}",
+        "Free it.",
+        seen.home_it,
     )
     return _finding(
         axis, faults, _fresh(seen, faults), f"{_what(seen, axis, faults)}{_where(axis, faults)}.",
@@ -91,13 +97,14 @@ def _obstructed(seen: Examination, axis: str, faults: Sequence[JournalEntry], he
         low, high = round(min(levels)), round(max(levels))
         heights = f", elevation {low}°" if low == high else f", elevation {low}° to {high}°"
     todo = (
-        f"Cut its power, and look at what the dish meets at {axis} {place}°{heights}: a branch, a cable, ice, a screw.",
-        f"Take it away. {seen.home_it}",
+        f"Cut its power, and look at what the dish meets at {axis} {place}°{heights}: a branch, a cable, ice.",
+        "Take it away.",
+        seen.home_it,
         "If it has to stay, forbid the way there: `motion.no_go_sectors` in birdcage.toml, or the limits on F8.",
     )
     return _finding(
         axis, faults, _fresh(seen, faults),
-        f"{_what(seen, axis, here)}, each time at {place}°. Something stands in its way there.",
+        f"{_what(seen, axis, here)}, each time at {place}°. Something probably stands in its way there.",
         f"Stalls at one place mean an obstacle.{rest} Its angles may be wrong since.", todo,
     )  # fmt: skip
 
@@ -111,7 +118,7 @@ def _in_one_spell(seen: Examination, axis: str, faults: Sequence[JournalEntry]) 
         "All of it was in one spell: ice or snow, if it was cold, or something that has gone since.",
         (
             "After a cold night, look for ice before the first move.",
-            "If a satellite is off since then, its angles are wrong. " + seen.home_it,
+            f"If satellites are off since then, its angles are wrong. {seen.home_it}",
         ),
     )  # fmt: skip
 
@@ -124,7 +131,8 @@ def _worn(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> Findi
         (
             f"Keep clear, move {axis_word(axis)} all the way in small steps, and listen: where does it grind or halt?",
             "Cut its power, and look at its belt and gears: worn teeth, slack, grit. Tighten, clean or replace them.",
-            f"Then measure the voltage at the dish while both axes move. {seen.home_it}",
+            "Then measure the voltage at the dish while both axes move: it must not dip.",
+            seen.home_it,
         ),
     )  # fmt: skip
 
@@ -139,7 +147,9 @@ def _finding(
 
 
 def _fresh(seen: Examination, faults: Sequence[JournalEntry]) -> Urgency:
-    return Urgency.HURTS if seen.is_recent(faults[-1].utc) else Urgency.WILL_STOP
+    if seen.is_recent(faults[-1].utc):
+        return Urgency.HURTS
+    return Urgency.WILL_STOP if len(faults) > 1 else Urgency.NOTE
 
 
 def _what(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> str:
@@ -208,12 +218,14 @@ def drivers(seen: Examination) -> Iterator[Finding]:
         if feature.id.split(".")[0] != DRIVER:
             continue
         yield Finding(
-            feature.id, Urgency.STOPS, f"The {mark.label} reports {reading.value}.",
+            feature.id, Urgency.STOPS,
+            f"The driver of the {axis_word(feature.id.split('.')[-1])} motor reports {reading.value}.",
             "That motor may not turn, or not hold the dish. Its driver is too hot, shorted, or has lost its motor.",
             (
                 f"Cut the power at the {seen.switch}, and let it cool for ten minutes.",
                 "Check the motor's plug and wires.",
-                f"Switch it on. {seen.home_it} If the fault comes back, the motor or its driver is broken.",
+                "Switch it on. If the fault comes back, the motor or its driver is broken.",
+                seen.home_it,
             ),
             lasts=True,
         )  # fmt: skip
@@ -249,7 +261,7 @@ def moved_unasked(seen: Examination) -> Iterator[Finding]:
             "moved", _fresh(seen, faults), f"The dish moved unasked {how_often(moments, seen.now)}.",
             "Its own TV search, another program, a hand or the wind may move it.",
             (
-                f"Keep clear of it. If it still moves, press Space, or use its {seen.switch}.",
+                f"Keep clear of it. If it still moves, press Space in the app, or use its {seen.switch}.",
                 "Switch its TV search off (F8, or `birdcage init`), and end other programs that use its port.",
                 "If wind moves it, its motors may be released or its base loose.",
             ),

@@ -10,7 +10,7 @@ from birdcage.base.journal_rows import DishIncident, IncidentKind
 from birdcage.base.reason import Reason
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.finding import Finding, Urgency
-from birdcage.diagnostics.wording import how_often, many, times
+from birdcage.diagnostics.wording import how_often, many
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.state import FaultReason, LinkPhase, TvSearch
 
@@ -26,6 +26,10 @@ PORT_REFUSED = {
 """What is wrong with a port, and what to do."""
 FEW = 3
 """So many restarts or losses are no accident any more."""
+
+
+ENDS = (IncidentKind.RESTART, IncidentKind.START, IncidentKind.BACK)
+"""What ends an outage."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +58,7 @@ def outages(seen: Examination) -> list[Outage]:
         is_open = bool(found) and found[-1].ended is None
         if each.kind in (IncidentKind.SILENT, IncidentKind.LOST):
             found.append(Outage(each, None))
-        elif is_open and each.kind is not IncidentKind.SAVED:
+        elif is_open and each.kind in ENDS:
             found[-1] = Outage(found[-1].began, each)
     return [each for each in found if each.began.utc >= seen.history.begin]
 
@@ -71,14 +75,14 @@ def restarts(seen: Examination) -> Iterator[Finding]:
     if not moments:
         return
     count, moving = len(moments), sum(each.moving for each in heard)
-    what = f"The dish restarted by itself {how_often(moments, seen.now)}"
+    what = f"The dish restarted {how_often(moments, seen.now)}"
     meaning = _after_a_restart(seen)
     if count > 1 and 2 * moving >= count:
         supply = "" if seen.facts is None else seen.facts.handling.supply
         yield Finding(
             "restarts", Urgency.STOPS,
-            f"{what}, {_of(moving, count)} while it moved. Its supply is too weak, or loses too much on the way.",
-            f"Motors draw the most when they start: the voltage dips, and the dish begins anew. {meaning}".strip(),
+            f"{what}, {_of(moving, count)} while it moved. Its supply is probably too weak.",
+            f"Motors draw the most when they start: the voltage dips, and the dish restarts. {meaning}".strip(),
             (
                 f"Measure the voltage at the dish while both axes move. It must not dip. {supply}".strip(),
                 "Use a shorter or thicker cable, and a supply that gives more current. Check every plug on the way.",
@@ -110,7 +114,7 @@ def _after_a_restart(seen: Examination) -> str:
 
 
 def _of(part: int, count: int) -> str:
-    return {2: "both times"}.get(count, "each time") if part == count else f"{times(part)} of them"
+    return {2: "both times"}.get(count, "each time") if part == count else f"{part} of them"
 
 
 def deadlocks(seen: Examination) -> Iterator[Finding]:
@@ -128,7 +132,8 @@ def deadlocks(seen: Examination) -> Iterator[Finding]:
             "Its console may have deadlocked: no command, and so no STOP, reaches it then. Or its power failed.",
             (
                 f"Keep the {seen.switch} in reach while it moves: nothing else ends a deadlock.",
-                f"When it is silent again: off for ten seconds, then on. {seen.home_it}",
+                "When it is silent again: off for ten seconds, then on.",
+                seen.home_it,
                 "Was a line typed on F5 just before? Leave that command out.",
             ),
             moments[0], moments[-1], len(found),
@@ -143,7 +148,8 @@ def silent_now(seen: Examination) -> Iterator[Finding]:
             "silent", Urgency.STOPS, "The dish does not answer.", link.detail or "Its port is there.",
             (
                 "Has it power? Look at its lamp or its motor. Then check the plug at the dish and at the adapter.",
-                f"If it has power: off at its {seen.switch}, wait ten seconds, and on. {seen.home_it}",
+                f"If it has power: off at its {seen.switch}, wait ten seconds, and on.",
+                seen.home_it,
                 "If it never answered here: F8 or `birdcage setup` finds the cause.",
             ),
             lasts=True,

@@ -92,7 +92,8 @@ def pending(seen: Examination) -> Iterator[Finding]:
             f"{listed(list(names) or ['its settings'])}.",
             "The dish goes by what is saved only from its next start on, and no start was heard since.",
             (
-                f"Switch it off and on at its {seen.switch} when nothing is under way. {seen.home_it}",
+                f"Switch it off and on at its {seen.switch} when nothing is under way.",
+                seen.home_it,
                 "If you did that while no birdcage program was running, acknowledge this.",
             ),
             saved[0].utc, saved[-1].utc, len(saved),

@@ -19,7 +19,7 @@ from birdcage.station.events import (
     TaskChanged,
 )
 from birdcage.station.reply_tally import ReplyTally
-from birdcage.station.state import MOVING, LinkPhase
+from birdcage.station.state import MOVING, Activity, LinkPhase
 from birdcage.station.station import Station
 from birdcage.station.task_state import TaskPhase
 from birdcage.station.wear import dish_key
@@ -35,7 +35,7 @@ class DishRecord:
     def __init__(self, station: Station, journal: Journal, adapter_of: Callable[[str], str]) -> None:
         self._station, self._journal = station, journal
         self._adapter_of, self._adapters = adapter_of, dict[str, str]()
-        self._moves, self._moved_at = False, -math.inf
+        self._moves, self._moved_at, self._homed = False, -math.inf, list[str]()
         self._was_up = self._is_down = self._lost_moving = False
 
     @property
@@ -59,6 +59,8 @@ class DishRecord:
                 moves = event.activity in MOVING
                 self._moved_at = event.at if self._moves and not moves else self._moved_at
                 self._moves = moves
+                if event.activity is Activity.HOMING and event.text:
+                    self._homed.append(event.text)
             case FaultRaised(fault=fault):
                 self._journal.append(
                     JournalEntry(
@@ -69,6 +71,7 @@ class DishRecord:
             case TaskChanged(task=task) if task.phase is TaskPhase.OVER:
                 text = f"{self._mark}{task.holder}: {task.why}"
                 self._journal.append(JournalEntry(event.utc, "task", task.kind, text, self.dish))
+                self._hear_homing(event)
             case DishRestarted():
                 moving = self._is_moving(event.at) or self._lost_moving
                 kind = IncidentKind.RESTART if event.was_met else IncidentKind.START
@@ -81,6 +84,12 @@ class DishRecord:
             case ReadingRead() if event.feature.split(".")[0] in LIMITING:
                 self._journal.append(ToldSetting(event.utc, self.dish, event.feature, str(event.value)))
 
+    def _hear_homing(self, event: TaskChanged) -> None:
+        """Note the axes that were homed, once all that were asked for are, and no fault says otherwise."""
+        task, axes, self._homed = event.task, self._homed, []
+        if axes and task.done == task.of and self._station.state.fault is None:
+            self._append(event, IncidentKind.HOMED, ", ".join(axes))
+
     def _hear_link(self, event: LinkChanged) -> None:
         """Of a link that was up, note when it goes and when it comes back; what was never up is no loss."""
         link = event.link
@@ -88,6 +97,7 @@ class DishRecord:
             if self._was_up and self._is_down:
                 self._append(event, IncidentKind.BACK, link.detail)
             self._was_up, self._is_down, self._lost_moving = True, False, False
+            _ = self.adapter  # known from now on, also when the port is gone
         elif link.state in DOWN and self._was_up and not self._is_down:
             self._is_down, self._lost_moving = True, self._is_moving(event.at)
             self._append(event, DOWN[link.state], link.detail, moving=self._lost_moving)
