@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 from birdcage.base.paths import Paths
@@ -223,3 +224,36 @@ def test_a_trav_ler_says_that_flash_is_not_told(run, pty_travler):
     assert "does not tell what flash holds" in done.stderr
     memory = pty_travler.device.board.memory
     assert memory.flash[127] == 10.0
+
+
+def test_after_a_kill_in_the_middle_the_next_command_says_where_each_row_stands(start, nvs, pty_dish):
+    rows = (16, 17, 18, 22, 23, 24, 25, 27, 28, 32, 33, 35, 36, 37, 41)
+    pairs = [each for row in rows for each in (row, 9)]
+    process = start("nvs", "set", *pairs, "--yes", "--port", pty_dish.path, "--firmware", "g2")
+    pty_dish.wait_for(lambda _truth: len(sent(pty_dish)) >= 3)
+    process.kill()
+    process.wait()
+    told = json.loads(nvs("get", 16, "--json").stdout)["unfinished"]
+    nvram = pty_dish.device.board.nvram
+    changed = {row for row in rows if nvram.ram[row] != nvram.flash[row]}
+    assert 0 < len(changed) < len(rows)
+    assert {each["row"] for each in told["rows"]} == set(rows)
+    assert {each["row"] for each in told["rows"] if each["state"] == "in RAM only"} == changed
+    assert {each["row"] for each in told["rows"] if each["state"] == "untouched"} == {*rows} - changed
+    assert table_of(Path(told["backup"]).read_text()).count("\n") > 40
+    done = nvs("restore", told["backup"], "--yes")
+    assert done.exit_code == 0, done.stderr
+    assert "byte for byte" in done.stderr
+    assert nvram.ram == nvram.flash
+    assert json.loads(nvs("get", 16, "--json").stdout)["unfinished"] is None
+
+
+def test_a_restore_saves_where_flash_alone_differs(nvs, pty_dish, tmp_path):
+    before = tmp_path / "before.txt"
+    nvs("dump", before)
+    nvs("set", 27, 90, "--yes")
+    nvs("save", "--yes")
+    nvs("set", 27, 120, "--yes")
+    done = nvs("restore", before, "--yes")
+    assert "byte for byte" in done.stderr
+    assert pty_dish.device.board.nvram.flash[27] == 120

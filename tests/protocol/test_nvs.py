@@ -87,3 +87,13 @@ def test_a_hole_is_no_row(play):
     with pytest.raises(NoReply) as raised:
         g2.nvs.read(5)
     assert raised.value.reason == "no_row"
+
+
+def test_a_write_in_ram_is_read_back_and_a_value_that_is_not_there_is_refused(play):
+    g2, port = play(
+        "TRK>nvs\nNVS>e 101 15\n101) Minimum Elevation Angle          18.00 .      15.00\n"
+        f"NVS>d 101\n{HEAD}101) Minimum Elevation Angle          18.00       18.00       18.00\nNVS>\n"
+    )
+    with pytest.raises(CommandRefused, match=r"the dish shows 18\.00 there"):
+        g2.nvs.write(101, "15")
+    assert b"\rs\r" not in port.written

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
 from birdcage.base.errors import (
     BirdcageError,
@@ -9,11 +11,14 @@ from birdcage.base.errors import (
     ConfirmationNeeded,
     Held,
     LeaseDenied,
+    NoReply,
     OutOfRange,
 )
 from birdcage.rotator.own_settings import RowState
 from birdcage.rotator.settings_file import read_settings_text
-from birdcage.station.requests import AcquireLease, Goto, ReadSettings, SaveSettings, Stop, WriteSettings
+from birdcage.station.attach_messages import result_shapes
+from birdcage.station.requests import AcquireLease, Connect, Goto, ReadSettings, SaveSettings, Stop, WriteSettings
+from birdcage.station.settings_backup import SettingsBackup
 
 from .conftest import Bench
 
@@ -277,3 +282,49 @@ def test_dishes_that_print_one_value_are_written_and_saved_too(tmp_path, firmwar
     assert table.unfinished is None
     memory = bench.device.board.memory
     assert memory.flash[row] == memory.ram[row] == float(new)
+
+
+def test_a_table_that_reads_differently_twice_is_no_backup(bench, tmp_path):
+    nvram, dumps = bench.device.firmware.board.nvram, []
+    render = nvram.render
+
+    def damaged(index, value):
+        if index == 133:
+            dumps.append(index)
+        return "8.00" if index == 133 and len(dumps) == 4 else render(index, value)
+
+    nvram.render = damaged
+    with pytest.raises(NoReply, match="Two readings of the settings differ"):
+        write(bench, r27="90")
+    assert written_lines(bench) == []
+    assert not (tmp_path / "backups").exists()
+
+
+def test_another_dish_at_another_port_is_backed_up_too(tmp_path):
+    options = {"backup_folder": tmp_path}
+    bench = Bench(options=options).connect()
+    write(bench, r27="90")
+    bench.do(Connect("sim:other"))
+    bench.step(5)
+    write(bench, r27="95")
+    assert len(list(tmp_path.iterdir())) == 2
+
+
+def test_the_table_goes_to_attached_programs_and_back():
+    bench = Bench().connect()
+    table = bench.do(ReadSettings())
+    shape = result_shapes()[ReadSettings]
+    assert shape.take(json.loads(json.dumps(shape.tell(table, "it"))), "it") == table
+
+
+def test_no_backup_replaces_another_of_the_same_second(bench, tmp_path):
+    keeper = SettingsBackup(bench.station._store, bench.station._antenna, tmp_path / "backups")
+    first, second = keeper.keep(["one"]), keeper.keep(["two"])
+    assert [read_settings_text(each.read_bytes(), "it").printed for each in (first, second)] == [("one",), ("two",)]
+
+
+def test_a_note_of_another_firmware_is_none_of_this_dish(bench, tmp_path):
+    write(bench, r27="90")
+    (note,) = (tmp_path / "state").rglob("settings-write.json")
+    note.write_text(note.read_text().replace('"firmware": "g2"', '"firmware": "hal205"'))
+    assert bench.do(ReadSettings()).unfinished is None
