@@ -3,6 +3,7 @@
 import re
 from concurrent.futures import Future
 from dataclasses import replace
+from datetime import timedelta
 from itertools import pairwise
 from types import MappingProxyType
 
@@ -13,8 +14,8 @@ from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, by_id
 from birdcage.station.requests import Read
-from birdcage.station.state import Activity
-from birdcage_tui.shown.system_sheet import cell_text, sheet_rows
+from birdcage.station.state import Activity, BootLog
+from birdcage_tui.shown.system_sheet import absent_groups, cell_text, sheet_rows
 from birdcage_tui.system.detail_pane import DetailPane
 from birdcage_tui.system.sheet_pane import SheetPane
 from stage import run
@@ -39,17 +40,21 @@ def test_the_values_of_both_axes_stand_abreast_under_one_label():
 
 
 def test_every_feature_of_a_page_stands_once_and_groups_stand_together():
+    everywhere = []
     for page in (FeaturePage.HARDWARE, FeaturePage.MOTORS, FeaturePage.RECEIVER):
         rows = sheet_rows(CARRYOUT_G2, page)
-        shown = [each.id for row in rows for each in row.cells]
-        assert sorted(shown) == sorted(each.id for each in CARRYOUT_G2.features.values() if each.page is page)
+        everywhere += [each.id for row in rows for each in row.cells]
         groups = [row.group for row in rows]
         assert len([a for a, b in pairwise(groups) if a != b]) == len(set(groups)) - 1
+    wanted = {*CARRYOUT_G2.features, "boot_log"} - {"settings"}  # the whole table has a tab of its own
+    assert sorted(everywhere) == sorted(wanted)
 
 
 def test_a_machine_that_is_not_known_or_tells_nothing_has_no_rows():
     assert sheet_rows(None, FeaturePage.MOTORS) == ()
     assert sheet_rows(CARRYOUT_2003, FeaturePage.RECEIVER) == ()
+    assert absent_groups("carryout", FeaturePage.RECEIVER)[:2] == ("Signal", "Channel")
+    assert absent_groups("g2", FeaturePage.HARDWARE) == ()
 
 
 @pytest.mark.parametrize(
@@ -184,6 +189,31 @@ def test_a_hazard_is_read_only_after_a_question():
     assert after == [Read(("risky",), agreed=True)]
 
 
+def test_a_dish_that_tells_less_says_for_each_heading_that_no_command_is_known():
+    async def look(app, pilot):
+        await pilot.press("f4", "d")
+        await settle(pilot)
+        return stand_in.text_of(app)
+
+    text = run(look, state={"dish": CARRYOUT_2003})
+    assert "Signal ─ no command for it is known on the Carryout of 2003" in text
+
+
+def test_the_boot_log_is_what_the_station_heard_with_its_age():
+    async def look(app, pilot):
+        log = BootLog(app.session.clock.utc() - timedelta(seconds=50), ("Bootloader v1.01", "Boot Complete"))
+        app.station.state = replace(app.station.state, boot_log=log)
+        await pilot.press("f4", "b", "pagedown", "pagedown", "pagedown")
+        await settle(pilot)
+        await pilot.press("enter")
+        await settle(pilot)
+        return stand_in.text_of(app)
+
+    text = run(look, size=(120, 36))
+    assert "2 lines, 50s ago" in text
+    assert "Bootloader v1.01" in text
+
+
 # On a real station, with a simulated dish
 
 
@@ -286,3 +316,26 @@ async def test_a_value_beyond_its_range_is_refused_in_the_field_and_sends_nothin
         await set_value(house, "400")
         assert "335 deg/s beyond its limit of 65 deg/s" in " ".join(re.findall(r"[^│\s]+", house.text()))
         assert house.app.station.state.readings["speed.azimuth"].value == pytest.approx(65.0, abs=0.02)
+
+
+@played
+async def test_a_message_on_the_coax_is_explained_before_it_is_sent_and_its_answer_stands_there():
+    house = House("g2?seed=1&switch_port=1")
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await on_tab(house, "d")
+        pane = house.app.query_one("#system-receiver")
+        rows = pane.rows(house.app.view())
+        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "diseqc")
+        await set_value(house, "E0 10 zz")
+        assert "is no byte in hex" in " ".join(re.findall(r"[^│\s]+", house.text()))
+        await press(house, "escape")
+        await set_value(house, "E0 10 38 F4")
+        asked = " ".join(re.findall(r"[^│\s]+", house.text()))
+        assert "E0 10 38 F4: from the master" in asked
+        since = house.clock.monotonic()
+        await house.step(1)
+        assert not any(line.startswith("send") for line in lines_sent(house, since))
+        await press(house, "y")
+        await house.step(4)
+        assert "send E0 10 38 F4" in lines_sent(house, since)
+        assert house.app.system.sheets.now.answers["diseqc"].value

@@ -15,7 +15,7 @@ from birdcage.station.access import FaceStation
 from birdcage.station.requests import Read, Set
 from birdcage.station.state import MOVING, LinkPhase, StationState
 
-from birdcage_tui.shown.system_sheet import OLD_S, FeatureChange, SheetNow
+from birdcage_tui.shown.system_sheet import OLD_S, FeatureChange, SheetNow, features_on
 from birdcage_tui.shown.view import YOU
 
 LOOKED_S = 3.0
@@ -39,12 +39,14 @@ class SheetFeed:
         self._failed: dict[str, str] = {}
         self._waits = ""
         self._changes: list[FeatureChange] = []
+        self._answers: dict[str, Reading] = {}
 
     @property
     def now(self) -> SheetNow:
         """What there is to show."""
         asked = frozenset(name for chunk in self._chunks for name in chunk)
-        return SheetNow(asked, self._failed, self._waits, self._changes[-1] if self._changes else None)
+        undo = self._changes[-1] if self._changes else None
+        return SheetNow(asked, self._failed, self._waits, self._answers, undo)
 
     @property
     def is_settled(self) -> bool:
@@ -94,6 +96,10 @@ class SheetFeed:
         error = None if done.cancelled() else done.exception()
         if error is None:
             self._failed.pop(name, None)
+            answer = done.result()
+            if not change.feature.is_readable and change.feature.kind is FeatureKind.TEXT:
+                assert isinstance(answer, Reading), "the station's promise"
+                self._answers[name] = answer
             if undoing:
                 self._changes.pop()
             elif change.before is not None and change.feature.is_readable:
@@ -109,8 +115,7 @@ class SheetFeed:
         return [each for each in self._features() if each.group == feature.group and _is_read_unasked(each)]
 
     def _features(self) -> list[Feature]:
-        dish = self._station.state.dish
-        return [] if dish is None else [each for each in dish.features.values() if each.page is self._page]
+        return [] if self._page is None else features_on(self._station.state.dish, self._page)
 
     def _due(self, *, older_than_s: float) -> list[Feature]:
         now, readings = self._clock.monotonic(), self._station.state.readings

@@ -7,6 +7,7 @@ from textual.app import ComposeResult
 from textual.containers import Container, Horizontal, Vertical
 from textual.widget import Widget
 
+from birdcage_tui.shown.system_sheet import features_on
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import CursorPane
 from birdcage_tui.system.detail_pane import DetailPane
@@ -28,8 +29,8 @@ STEADY_S = 600.0
 """What its machine is asked for as seldom as this does not change: it is not watched."""
 SHEETS = {"hardware": FeaturePage.HARDWARE, "motors": FeaturePage.MOTORS, "receiver": FeaturePage.RECEIVER}
 TITLES = {
-    "health": "Needs you", "hardware": "Hardware", "motors": "Motors", "settings": "NVS: the dish's own settings",
-    "receiver": "DVB receiver",
+    "health": "Needs you", "hardware": "Hardware", "motors": "Motors and limits", "receiver": "DVB receiver",
+    "settings": "NVS: the dish's own settings",
 }  # fmt: skip
 
 
@@ -99,8 +100,7 @@ class SystemPage(Page):
         if dish is None or page is None or not self.host.system.sheets.is_settled:
             return frozenset({"position"})
         changing = {
-            each.id for each in dish.features.values()
-            if each.page is page and each.id in view.state.readings and _changes(each)
+            each.id for each in features_on(dish, page) if each.id in view.state.readings and _changes(each)
         }  # fmt: skip
         return frozenset({"position", *changing})
 

@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
+from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts
-from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, Value
+from birdcage.rotator.feature import SETTINGS, Feature, FeatureKind, FeaturePage, Reading, Value
+
+if TYPE_CHECKING:
+    from birdcage_tui.shown.view import View
 
 OLD_S = 60.0
 """A reading older than this is dim: the next look at the page reads it again."""
@@ -68,8 +74,45 @@ class SheetNow:
     """Why a feature could not be read, as a sentence, by its id."""
     waits: str = ""
     """Why nothing is read now, as a sentence; empty while all is read."""
+    answers: Mapping[str, Reading] = field(default_factory=dict)
+    """What the machine answered to what can only be sent, by id."""
     undo: FeatureChange | None = None
     """What was set last, and can be put back."""
+
+
+BOOT_LOG = Feature(
+    "boot_log", "Boot log", kind=FeatureKind.LINES, told=False, page=FeaturePage.HARDWARE, group="Last start",
+    note="What the dish printed when it last started. Switch it off and on while birdcage runs to see it.",
+)  # fmt: skip
+"""Nothing that can be asked for: the station keeps what it heard."""
+BESIDE = {FeaturePage.MOTORS: (FeaturePage.SETTINGS,)}
+"""Pages that stand on the same tab: what limits motion is read out of the settings."""
+
+
+def features_on(dish: Facts | None, page: FeaturePage) -> list[Feature]:
+    """Return what stands on a tab; the whole table of settings has one of its own."""
+    if dish is None:
+        return []
+    pages = (page, *BESIDE.get(page, ()))
+    found = [each for at in pages for each in dish.features.values() if each.page is at and each.id != SETTINGS]
+    return [*found, BOOT_LOG] if page is FeaturePage.HARDWARE else found
+
+
+@lru_cache(maxsize=16)
+def absent_groups(firmware: str, page: FeaturePage) -> tuple[str, ...]:
+    """Return the headings that other kinds of dish have on a tab, and this one has not."""
+    own = {each.group for each in features_on(machines.facts_of(firmware), page)}
+    others = (each.group for name in machines.names() for each in features_on(machines.facts_of(name), page))
+    return tuple(dict.fromkeys(group for group in others if group and group not in own))
+
+
+def sheet_readings(view: View) -> Mapping[str, Reading]:
+    """Return what the dish told, and what it printed when it last started."""
+    told, log = {**view.state.readings, **view.sheet.answers}, view.state.boot_log
+    if log is not None:
+        at = view.now - (view.utc - log.utc).total_seconds()
+        told[BOOT_LOG.id] = Reading("\n".join(log.lines), "", at, log.utc)
+    return told
 
 
 def sheet_rows(dish: Facts | None, page: FeaturePage) -> tuple[SheetRow, ...]:
@@ -78,10 +121,9 @@ def sheet_rows(dish: Facts | None, page: FeaturePage) -> tuple[SheetRow, ...]:
         return ()
     axes = [axis.name for axis in dish.axes]
     together: dict[tuple[str, str], list[tuple[Feature, str]]] = {}
-    for feature in dish.features.values():
-        if feature.page is page:
-            stem, axis = _parted(feature.id, axes)
-            together.setdefault((feature.group, stem if axis else feature.id), []).append((feature, axis))
+    for feature in features_on(dish, page):
+        stem, axis = _parted(feature.id, axes)
+        together.setdefault((feature.group, stem if axis else feature.id), []).append((feature, axis))
     groups = {group: number for number, group in enumerate(dict.fromkeys(group for group, _ in together))}
     rows = [_row(group, found) for (group, _), found in together.items()]
     return tuple(sorted(rows, key=lambda row: groups[row.group]))

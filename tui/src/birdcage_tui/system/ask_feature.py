@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.base.errors import OutOfRange
-from birdcage.rotator.feature import Feature, FeatureKind, Value
+from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
 from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
 from textual.widgets import Static
@@ -29,6 +29,13 @@ def read_value(feature: Feature, text: str) -> Value:
             limits = "" if feature.range is None else f" Type {feature.range} {feature.unit}".rstrip() + "."
             raise OutOfRange(f"{text!r} is no number.{limits}") from None
     feature.check(value)
+    if feature.id == DISEQC:
+        from birdcage.coax.messages import typed_message
+
+        try:
+            typed_message(text)
+        except ValueError as wrong:
+            raise OutOfRange(str(wrong)) from None
     return value
 
 

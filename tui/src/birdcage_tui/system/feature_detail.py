@@ -6,14 +6,14 @@ from birdcage.rotator.feature import Feature, FeatureKind
 
 from birdcage_tui.drawing.cell_text import wrap
 from birdcage_tui.shown.state_words import age_text
-from birdcage_tui.shown.system_sheet import cell_text, lines_of, may_be_set_words
+from birdcage_tui.shown.system_sheet import cell_text, lines_of, may_be_set_words, sheet_readings
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import Line
 
 
 def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
     """Return what there is to say of a feature, what counts most first, wrapped to a width."""
-    told = cell_text(feature, view.state.readings, view.now)
+    told = cell_text(feature, sheet_readings(view), view.now)
     lines: list[Line] = []
 
     def say(ink: str, words: str) -> None:
@@ -27,8 +27,9 @@ def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
     say("dim", feature.note)
     say("warn", f"▲ {hazard}" if (hazard := feature.hazard or feature.read_hazard) else "")
     asked = f"Asked by {feature.asked}. " if feature.asked else ""
-    say("dim", f"{asked}`birdcage {'set' if not feature.is_readable else 'get'} {feature.id}` does it in a shell.")
-    printed = lines_of(feature, view.state.readings)
+    command = "get" if feature.is_readable else "set" if feature.is_writable else ""
+    say("dim", f"{asked}`birdcage {command} {feature.id}` does it in a shell." if command else "")
+    printed = lines_of(feature, sheet_readings(view))
     if len(printed) > 1:
         lines += [("", ""), *(("text", line) for line in printed)]
     return lines

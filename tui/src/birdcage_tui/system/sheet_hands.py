@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage.rotator.feature import Feature, FeatureKind, Value
+from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
 
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.system_sheet import cell_text
@@ -92,7 +92,8 @@ class SheetHands:
                 undo = " u puts it back." if feature.is_readable else ""
                 self._page.host.say(f"{feature.label}: sent.{undo}")
 
-        self._page.app.push_screen(set_question(feature, value, self._page.host.view()), answered)
+        said = _coax_words(value) if feature.id == DISEQC else ""
+        self._page.app.push_screen(set_question(feature, value, self._page.host.view(), said), answered)
 
     def _undo(self) -> None:
         change = self._feed.undo()
@@ -102,3 +103,10 @@ class SheetHands:
         view = self._page.host.view()
         now = cell_text(change.feature, view.state.readings, view.now).value
         self._page.host.say(f"Putting {change.feature.label} back from {now}.")
+
+
+def _coax_words(value: Value) -> str:
+    """Return what a DiSEqC message means, before it is sent."""
+    from birdcage.coax.messages import read_message, typed_message
+
+    return str(read_message(typed_message(str(value))))

@@ -9,10 +9,10 @@ from birdcage.rotator.feature import Feature, FeaturePage
 from textual.geometry import Region
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import elide, fit
+from birdcage_tui.drawing.cell_text import elide, fit, wrap
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.state_words import age_text
-from birdcage_tui.shown.system_sheet import SheetRow, cell_text, sheet_rows
+from birdcage_tui.shown.system_sheet import SheetRow, absent_groups, cell_text, sheet_readings, sheet_rows
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import CursorPane, Detail
 from birdcage_tui.system.feature_detail import detail_lines
@@ -97,18 +97,25 @@ class SheetPane(CursorPane):
             dish = view.state.dish
             words = "The dish is not known yet." if dish is None else f"The {dish.name} tells nothing of this."
             cells.put(1, 0, words, "dim")
+            for y, below in enumerate(rest_lines(view, self.page_of_features, cells.width), 1):
+                cells.put(0, y, below, "dim")
             return
         self.at = min(self.at, len(rows) - 1)
         columns = SheetColumns.of(cells.width, max(len(row.cells) for row in rows))
         lines = self._lines(rows, airy=len(rows) + 2 * len({row.group for row in rows}) <= cells.height)
         here = lines.index(self.at)
         head = 1 if here and isinstance(lines[here - 1], str) else 0  # the heading of the row stays in sight
-        top = self.scroll(here, len(lines), cells.height, head=head)
+        rest = rest_lines(view, self.page_of_features, cells.width)
+        whole = len(lines) + len(rest)
+        last = whole - 1 if self.at == len(rows) - 1 and whole - here <= cells.height else here  # the rest is seen, too
+        top = self.scroll(last, whole, cells.height, head=head + last - here)
         for y, line in enumerate(lines[top : top + cells.height]):
             if isinstance(line, str):
                 self._head(cells, y, line, rows, columns)
             else:
                 self._row(cells, y, line, rows[line], view, columns)
+        for y, words in enumerate(rest, len(lines) - top):
+            cells.put(0, y, words, "dim")
 
     @staticmethod
     def _lines(rows: tuple[SheetRow, ...], *, airy: bool) -> list[str | int]:
@@ -146,7 +153,7 @@ class SheetPane(CursorPane):
         cells.put(x + 1, y, shared, "dim")
         sheet, oldest = view.sheet, None
         for index, feature in enumerate(row.cells):
-            told = cell_text(feature, view.state.readings, view.now, with_unit=not shared)
+            told = cell_text(feature, sheet_readings(view), view.now, with_unit=not shared)
             width = CELL - 1 if len(row.cells) > 1 else max(CELL * columns.cells - 1, 4)
             x = columns.value + CELL * index
             failed = feature.id in sheet.failed and told.age_s is None
@@ -163,3 +170,14 @@ class SheetPane(CursorPane):
             cells.right(columns.age + AGE - 1, y, age_text(oldest), "dim")
         if columns.asked:
             cells.put(columns.age + AGE + 1, y, elide(row.cells[0].asked, columns.asked - 2), "dim")
+
+
+def rest_lines(view: View, page: FeaturePage, width: int) -> list[str]:
+    """Return what stands below the rows: what other kinds of dish tell and this one does not, what F5 is for."""
+    dish = view.state.dish
+    if dish is None:
+        return []
+    lines = [f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)]
+    if only := dish.console_only.get(page):
+        lines += ["", *(f" {line}" for line in wrap(only, max(width - 2, 10)))]
+    return ["", *lines] if lines else []

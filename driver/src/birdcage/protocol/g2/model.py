@@ -12,7 +12,7 @@ from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
-from birdcage.protocol.g2.features import features_of
+from birdcage.protocol.g2.features import CONSOLE_ONLY, features_of
 from birdcage.protocol.g2.own_settings import KNOWN
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
 from birdcage.rotator.axis import Axis, CableRange, Role
@@ -97,6 +97,7 @@ CARRYOUT_G2 = Facts(
     features=FEATURES.features,
     has_own_settings=True,
     settings_known=KNOWN,
+    console_only=CONSOLE_ONLY,
     settings_name="nvs",
     connectors=(plugs.CARRYOUT_G2,),
     adapters=(plugs.SH_U11, plugs.ESP32),
