@@ -45,6 +45,7 @@ class LineWire(LineSession):
     """A `Line` on which nothing but lines passes."""
 
     place, is_settled, last_reply, round_trip_s, took_s, answered = None, True, None, 0.02, 0.02, 0
+    asked = unanswered = late = 0
 
     def unanswered_s(self):
         return 0.0
