@@ -6,7 +6,9 @@ from datetime import timedelta
 
 import pytest
 from birdcage.base.clock import VirtualClock
-from birdcage.base.errors import CommandRefused, OutOfRange
+from birdcage.base.errors import CommandRefused, NoReply, OutOfRange
+from birdcage.base.reason import Reason
+from birdcage.base.trouble import MotorTrouble
 from birdcage.link.link import Link
 from birdcage.rotator import machines
 from birdcage.rotator.feature import WELL_FORMED, Feature, FeatureKind, Range, Writer
@@ -144,3 +146,37 @@ def test_what_a_machine_never_tells_can_be_set_alone():
     assert table.write(None, "head", "lamp", True, lambda value, unit: (value, unit)) == (True, "")
     with pytest.raises(CommandRefused, match="can be read"):
         table.read(None, "head", ["lamp"], lambda value, unit: (value, unit))
+
+
+def test_each_menu_is_entered_once_whatever_the_order(opened):
+    g2, received, _clock = opened()
+    before = len(received())
+    g2.read(["board_id", "driver.azimuth", "raw_rssi", "torque.azimuth"])
+    assert [line for line in received()[before:] if line in ("adc", "a3981")] == ["adc", "a3981"]
+
+
+@pytest.mark.parametrize(("error", "goes_on"), [
+    (CommandRefused("No."), True),
+    (CommandRefused("Stalled.", trouble=MotorTrouble("azimuth", homing=False, said="AZ MOTOR STALLED")), False),
+    (NoReply("Noise.", reason=Reason.GARBAGE), True),
+    (NoReply("No such row.", reason=Reason.NO_ROW), True),
+    (NoReply("Nothing.", reason=Reason.SILENT), False),
+])  # fmt: skip
+def test_what_one_question_comes_to_ends_the_others_only_where_nothing_more_can_be_asked(opened, error, goes_on):
+    g2, _received, _clock = opened()
+
+    def fails(_dish):
+        raise error
+
+    table = FeatureTable(
+        FeatureRow(Feature("broken", "Broken"), fails),
+        FeatureRow(Feature("whole", "Whole"), lambda _dish: {"whole": 1.0}),
+    )
+    stamp = lambda value, unit: (value, unit)  # noqa: E731
+    if goes_on:
+        assert table.read(g2, "dish", ["broken", "whole"], stamp) == {"whole": (1.0, "")}
+    else:
+        with pytest.raises(type(error)):
+            table.read(g2, "dish", ["broken", "whole"], stamp)
+    with pytest.raises(type(error)):
+        table.read(g2, "dish", ["broken"], stamp)

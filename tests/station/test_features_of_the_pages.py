@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, OutOfRange
+from birdcage.protocol.g2.diseqc import answer_in_words
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import FeaturePage
 from birdcage.station.requests import AcknowledgeFault, Goto, Read, Release, Set, Stop
@@ -132,6 +133,36 @@ def test_an_acceleration_is_set_until_restart_and_moves_take_longer(bench):
     assert read(bench, "acceleration.azimuth")["acceleration.azimuth"] == pytest.approx(396.0)
 
 
+def test_an_acceleration_that_the_dish_does_not_take_is_refused(bench, monkeypatch):
+    commands = bench.device.shell._menus["step"].commands
+    show = commands["ma"]
+    monkeypatch.setitem(commands, "ma", lambda _args: show([]))
+    with pytest.raises(CommandRefused, match=r"was told 90\.0°/s² for the azimuth and shows 396\.0°/s²"):
+        bench.do(Set("acceleration.azimuth", 90.0, YOU, agreed=True))
+
+
+def took_s(bench, azimuth):
+    """Return how long the dish itself needs to an azimuth."""
+    begun = bench.clock.monotonic()
+    bench.station.submit(Goto(azimuth, 40.0, YOU))
+    bench.step(0.3)
+    while bench.device.truth().moving:
+        bench.step(0.05)
+    return bench.clock.monotonic() - begun
+
+
+def test_the_simulated_dish_moves_by_its_acceleration_and_not_by_its_gains(bench):
+    took_s(bench, 100.0)
+    bench.step(20.0)
+    nominal_s = took_s(bench, 150.0)
+    bench.step(20.0)
+    bench.do(Set("kp.azimuth", 100.0, YOU, agreed=True))
+    assert took_s(bench, 100.0) == pytest.approx(nominal_s, abs=0.1)
+    bench.step(20.0)
+    bench.do(Set("acceleration.azimuth", 9.0, YOU, agreed=True))
+    assert took_s(bench, 150.0) > 2.0 * nominal_s
+
+
 def test_what_an_axis_shows_as_its_acceleration_can_always_be_put_back(bench):
     for axis in ("azimuth", "elevation"):
         name = f"acceleration.{axis}"
@@ -216,6 +247,17 @@ def test_a_message_is_sent_as_typed_and_its_answer_told_in_words(tmp_path):
     told = bench.do(Set("diseqc", "E2 10 38 F0", YOU, agreed=True)).value
     assert told == "E2 10 38 F0 sent; E4: reply: OK"
     assert "diseqc" not in bench.state.readings, "what was sent is no value that holds"
+
+
+@pytest.mark.parametrize(("message", "printed", "words"), [
+    ("E01038F0", (), "E0 10 38 F0 sent; no reply wanted"),
+    ("E2106400", (), "E2 10 64 00 sent; nothing was printed"),
+    ("E23164", ("Tx: E2 31 64", "Rx: E4 C0"), "E2 31 64 sent; E4 C0: reply: OK; move completed, limits enabled"),
+    ("E23164", ("Rx noise",), "E2 31 64 sent; the dish printed: Rx noise"),
+    ("E23164", None, "E2 31 64 sent; no answer (RxReplyTimeout)"),
+])  # fmt: skip
+def test_what_came_back_is_told_in_words(message, printed, words):
+    assert answer_in_words(bytes.fromhex(message), printed) == words
 
 
 def test_a_message_that_nobody_answers_says_so(bench):
