@@ -17,7 +17,16 @@ from birdcage.base.errors import (
 from birdcage.rotator.own_settings import RowState
 from birdcage.rotator.settings_file import read_settings_text
 from birdcage.station.attach_messages import result_shapes
-from birdcage.station.requests import AcquireLease, Connect, Goto, ReadSettings, SaveSettings, Stop, WriteSettings
+from birdcage.station.requests import (
+    AcquireLease,
+    Connect,
+    Goto,
+    ReadSettings,
+    SaveSettings,
+    SetSearch,
+    Stop,
+    WriteSettings,
+)
 from birdcage.station.settings_backup import SettingsBackup
 
 from .conftest import Bench
@@ -328,3 +337,14 @@ def test_a_note_of_another_firmware_is_none_of_this_dish(bench, tmp_path):
     (note,) = (tmp_path / "state").rglob("settings-write.json")
     note.write_text(note.read_text().replace('"firmware": "g2"', '"firmware": "hal205"'))
     assert bench.do(ReadSettings()).unfinished is None
+
+
+def test_the_switch_of_the_tv_search_saves_no_other_change_along(bench):
+    write(bench, r102="70")
+    with pytest.raises(CommandRefused, match=r"Row 102 .* \(65\.00 to 70\.00\) and not saved"):
+        bench.do(SetSearch(YOU, disabled=False))
+    assert memory(bench, 102) == (70, 65)
+    assert memory(bench, 20) == (1, 1)
+    bench.do(SaveSettings(YOU, agreed=True))
+    bench.do(SetSearch(YOU, disabled=False))
+    assert memory(bench, 20) == (0, 0)

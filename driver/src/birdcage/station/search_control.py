@@ -53,7 +53,9 @@ class SearchControl:
             self._reader.position()
             self._reader.note(ended)
             return None
-        backup = self._backup.keep(self._settings_table())
+        table = self._settings_table()
+        self._refuse_to_save_others(table)
+        backup = self._backup.keep(table)
         written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
         named = rotator.features.get(TV_SEARCH)
         self._store.tell(SettingsSaved(*self._store.stamp(), (TV_SEARCH if named is None else named.label,)))
@@ -63,6 +65,20 @@ class SearchControl:
             # Written, but the search process that the dish started at power-up goes on until the next one.
             self._store.change(search=TvSearch.UNKNOWN)
         return backup
+
+    def _refuse_to_save_others(self, table: list[str]) -> None:
+        """Raise CommandRefused where RAM holds a change that is not saved: a save writes all of RAM to flash."""
+        own, setting = self._antenna.rotator.own_settings, self._antenna.rotator.facts.search_setting
+        name = "" if setting is None else setting.name
+        rows = () if own is None else own.parse(table).values()
+        for row in rows:
+            if row.saved not in (None, row.current) and not (name and row.name.startswith(name)):
+                raise CommandRefused(
+                    f"Row {row.index} ({row.name}) was changed in RAM ({row.saved} to {row.current}) and not saved. "
+                    "This would save it, too. Save it by `birdcage nvs save`, or switch the dish off and on. Nothing "
+                    "was written.",
+                    reason=Reason.BAD_PARAMETER,
+                )
 
     def _settings_table(self) -> list[str]:
         """Read all settings. NoReply (`garbage`) where none were shown: then nothing is written."""
