@@ -30,7 +30,7 @@ WITHOUT_A_DISH = (
 OF_A_DISH = (
     ("pos",), ("status",), ("health",), ("detect",), ("init",), ("ready",), ("move", "--az", 10, "--el", 80),
     ("move", "--az", 10, "--el", 5), ("move", "--az", 5, "--el", 45), ("stop",), ("home",), ("calibrate", "next"),
-    ("track", "iss", "--plan"), ("track", "moon"), ("autotrack", "--plan"),
+    ("track", "iss", "--plan"), ("track", "moon"), ("autotrack", "--plan"), ("motors",),
     ("nvs", "get", 7, 20, 38, 83, 101, 113, 128),
     ("nvs", "set", 101, 17), ("nvs", "set", 101, 99), ("nvs", "set", 20, 5), ("nvs", "set", 83, 1, "--yes"),
     ("nvs", "save", "--yes"), ("nvs", "restore", "/no/such/file"),

@@ -6,11 +6,20 @@ import pytest
 from birdcage.base.errors import CommandRefused
 from birdcage.diagnostics.motor_test_task import KIND
 from birdcage.rotator.feature import Reading
-from birdcage.station.requests import AcquireLease, BeginTask, Jog
-from birdcage.station.state import FaultReason
+from birdcage.station.requests import AcquireLease, BeginTask, Goto, Jog
+from birdcage.station.state import Activity, FaultReason
 from birdcage.station.task_state import TaskPhase
 
 from .motor_bench import LATE, MotorBench
+
+
+def on_its_way(options="seed=1"):
+    """Return a bench whose azimuth is in the middle of its first way that is measured."""
+    bench = MotorBench(f"az=-180&{options}")
+    bench.begin(axis="azimuth")
+    bench.turn_until(lambda truth: truth.moving and truth.cable_deg < -185.0)
+    bench.turn_until(lambda truth: truth.moving and truth.cable_deg > -175.0)
+    return bench
 
 
 @pytest.mark.parametrize("figures", [((65.0, 400.0), (45.0, 400.0)), ((40.0, 250.0), (30.0, 150.0))])
@@ -78,10 +87,7 @@ def test_a_dish_that_is_slower_than_it_says_is_told(monkeypatch):
 
 @pytest.mark.parametrize("options", ["seed=1", LATE])
 def test_a_stall_on_the_way_ends_it_and_tells_the_angle(options):
-    bench = MotorBench(f"az=-180&{options}")
-    bench.begin(axis="azimuth")
-    bench.turn_until(lambda truth: truth.moving and truth.cable_deg < -185.0)
-    bench.turn_until(lambda truth: truth.moving and truth.cable_deg > -175.0)
+    bench = on_its_way(options)
     bench.device.stall(0)
     stood = bench.device.truth().az_deg
     ended = bench.end(10.0)
@@ -108,10 +114,7 @@ def test_a_motor_that_slips_unnoticed_is_told_by_its_driver():
 
 
 def test_an_axis_that_stops_short_without_a_word_is_a_fault_of_the_station():
-    bench = MotorBench("az=-180")
-    bench.begin(axis="azimuth")
-    bench.turn_until(lambda truth: truth.moving and truth.cable_deg < -185.0)
-    bench.turn_until(lambda truth: truth.moving and truth.cable_deg > -175.0)
+    bench = on_its_way()
     axis = bench.device.dish.axes[0]
     axis.on_blocked = None
     axis.block(bench.device.machine.dish_s, slips=False)
@@ -145,6 +148,42 @@ def test_a_step_by_hand_ends_it():
     bench.step(3.0)
     bench.do(Jog(1.0, 0.0, "you"))
     assert not bench.state.tasks
+
+
+def test_who_takes_control_in_the_middle_has_a_dish_that_comes_to_rest():
+    bench = on_its_way()
+    at = bench.clock.monotonic()
+    bench.do(AcquireLease("other", take_over=True))
+    bench.step(5.0)
+    assert not bench.state.tasks
+    assert bench.last.why == "other has control."
+    assert bench.moves_since(at) == []
+    assert bench.state.activity is Activity.IDLE
+    bench.do(Goto(190.0, 45.0, "other"))
+    assert bench.state.position.az_deg == pytest.approx(190.0, abs=0.1)
+
+
+def test_a_way_whose_link_is_lost_ends_the_test():
+    bench = on_its_way()
+    bench.device.wire.to_host.silent = True
+    ended = bench.end(30.0)
+    assert not ended.is_done
+    assert "The dish is silent" in ended.why
+    bench.device.wire.to_host.silent = False
+    at = bench.clock.monotonic()
+    bench.step(30.0)
+    assert bench.moves_since(at) == []
+    assert bench.state.held is not None
+    assert bench.state.activity is Activity.IDLE
+
+
+def test_each_round_goes_up_first_and_the_end_is_where_it_stood():
+    bench = MotorBench("az=-180")
+    bench.begin(axis="azimuth", rounds=2)
+    at = bench.clock.monotonic()
+    assert bench.end().is_done
+    sent = [float(line.split()[2]) for line in bench.moves_since(at - 0.2) if line.startswith("a 0 ")]
+    assert sent == pytest.approx([150.0, 210.0, 150.0, 210.0, 150.0, 180.0], abs=0.1)
 
 
 def test_it_does_not_begin_while_somebody_else_has_control():

@@ -183,12 +183,10 @@ class MotorTestTask(ItemTask[tuple[str, int]]):
     def _go(self, run: AxisRun, to_deg: float) -> Steps:
         """Send the axis, and read where it is until it rests."""
         start_deg = run.angle(_place((yield from self._look())))
-        self._sent = True
-        try:
-            step = yield Send(run.axis.index, to_deg)
-            readings = yield from self._read(run, start_deg, step.now_s)
-        finally:
-            self._sent = False
+        self._sent = True  # also where this is cut short: the station then watches it come to rest
+        step = yield Send(run.axis.index, to_deg)
+        readings = yield from self._read(run, start_deg, step.now_s)
+        self._sent = False
         end_deg = readings[-1].deg
         if abs(end_deg - to_deg) <= ASTRAY_DEG:
             run.add(MeasuredWay(start_deg, end_deg, tuple(readings)), end_deg - to_deg)
