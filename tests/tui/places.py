@@ -149,6 +149,7 @@ PLACES = (
             holds="LinesScreen/VerticalScroll"),
     _dialog("new value", "SheetHands._set", "f4", "m", *_down_to(FeaturePage.MOTORS, "speed.azimuth"), "e", **FIELDS),
     _dialog("set a value", "SheetHands._ask", "f4", "d", *_down_to(FeaturePage.RECEIVER, "enable_lna"), "e"),
+    _dialog("test the motors", "SheetHands._test", "f4", "m", "t"),
     _dialog("read what switches something", "SheetHands._open", "f4", "d",
             *_down_to(FeaturePage.RECEIVER, "even_level"), "enter"),
     _dialog("all of a setting", "SettingsHands._open", "f4", "n", "enter", dialog="LinesScreen",

@@ -10,6 +10,8 @@ from types import MappingProxyType
 import pytest
 import stand_in
 from birdcage.base.errors import CommandRefused
+from birdcage.diagnostics.motor_test_records import MotorTestBook
+from birdcage.diagnostics.motor_test_task import MotorTests
 from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, by_id
@@ -339,3 +341,30 @@ async def test_a_message_on_the_coax_is_explained_before_it_is_sent_and_its_answ
         await house.step(4)
         assert "send E0 10 38 F4" in lines_sent(house, since)
         assert house.app.system.sheets.now.answers["diseqc"].value
+
+
+@played
+async def test_a_motor_test_asks_first_and_what_it_measured_stands_there_against_nominal(tmp_path):
+    journal = tmp_path / "journal.sqlite"
+    tests = MotorTests(MotorTestBook(journal))
+    house = House(tasks=tests.tasks)
+    tests.attach(house.station)
+    house.app.system.health._journal, house.app.system.health.beside = journal, lambda work: work()
+    async with house.app.run_test(size=(160, 48)) as house.pilot:
+        await on_tab(house, "m")
+        assert "Not measured yet: t tests speed" in house.text()
+        since = house.clock.monotonic()
+        await press(house, "t")
+        await house.step(0.5)
+        assert "Keep the whole swing of the dish clear." in " ".join(re.findall(r"[^│\s]+", house.text()))
+        assert house.moves(since) == []
+        await press(house, "y")
+        for _ in range(40):
+            await house.step(2)
+            if not house.station.state.tasks and house.moves(since):
+                break
+        assert tests.book.flush()
+        await house.step(12)
+        await house.step(1)
+        assert re.search(r"Measured azimuth: 6\d\.\d ±\S+ deg/s of 65, .* no stall", house.text())
+        assert re.search(r"Measured elevation: 4\d\.\d ±\S+ deg/s of 45", house.text())

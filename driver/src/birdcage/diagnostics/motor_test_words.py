@@ -45,8 +45,10 @@ def no_room(axis: Axis, way_deg: float, least_deg: float, refused: str) -> str:
 
 def axis_words(test: MotorTest) -> str:
     """Say what was measured of an axis against what was expected, and what to do where it is far off."""
-    speed = _figure(test.speed, "°/s", test.speed_nominal, "no greatest speed reached")
-    acceleration = _figure(test.acceleration, "°/s²", test.acceleration_nominal, "acceleration too quick to measure")
+    speed = figure_words(test.speed, "°/s", test.speed_nominal, "no greatest speed reached")
+    acceleration = figure_words(
+        test.acceleration, "°/s²", test.acceleration_nominal, "acceleration too quick to measure"
+    )
     name = test.axis.capitalize()
     words = f"{name}: {speed}, {acceleration}, no stall seen over {test.way_deg:.0f}°."
     off = [
@@ -82,7 +84,8 @@ def driver_words(dish: Facts, drivers: Mapping[str, str]) -> str:
     return "The motor drivers report no fault." if drivers else ""
 
 
-def _figure(figure: tuple[float, float] | None, unit: str, nominal: float | None, none: str) -> str:
+def figure_words(figure: tuple[float, float] | None, unit: str, nominal: float | None, none: str) -> str:
+    """Return a figure with its sigma and what it should be: `64.8 ±0.4 °/s of 65`; `none` where there is no figure."""
     if figure is None:
         return none
     value, sigma = figure

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.station.state import LinkPhase
 
 from birdcage_tui.commands.table import Command, Reason, always
-from birdcage_tui.shown.allowed import CommandContext, can_release
+from birdcage_tui.shown.allowed import CommandContext, can_move, can_release
 
 PAGE = "system"
 HERE, SHEET, SETTINGS, HEALTH = (PAGE,), ("system-sheet",), ("system-settings",), ("system-health",)
@@ -14,6 +14,14 @@ HERE, SHEET, SETTINGS, HEALTH = (PAGE,), ("system-sheet",), ("system-settings",)
 def can_ask_dish(context: CommandContext) -> str | None:
     """Return why the dish cannot be asked for anything."""
     return None if context.state.link.state is LinkPhase.UP else "The dish does not answer."
+
+
+def can_test_motors(context: CommandContext) -> str | None:
+    """Return why the motors can't be tested now."""
+    from birdcage.diagnostics.motor_test_words import not_measured
+
+    dish = context.state.dish
+    return can_move(context) or (not_measured(dish) if dish is not None else None) or None
 
 
 def can_open(context: CommandContext) -> str | None:
@@ -65,6 +73,9 @@ SYSTEM = (
     _sheet("open", ("enter",), "Enter", "Show all", "Show all lines of the value, its source, limits and hazards.",
            can_open, "show all"),
     _sheet("set", ("e",), "e", "Set …", "Set the value: range, old value, hazard. Asks first.", can_ask_dish, "set"),
+    _sheet("test", ("t",), "t", "Test the motors …",
+           "Measure speed and acceleration against nominal, and watch for stalls. The dish moves. Asks first.",
+           can_test_motors),
     _sheet("undo", ("u",), "u", "Undo", "Put back the value that was set last.", can_ask_dish, "undo"),
     _settings("up", ("up", "k"), "↑ k", "Row above", "Select the row above."),
     _settings("down", ("down", "j"), "↓ j", "Row below", "Select the row below."),

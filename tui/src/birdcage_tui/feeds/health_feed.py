@@ -76,12 +76,14 @@ class HealthFeed:
 
     def _work(self, journal: Path) -> None:
         from birdcage.diagnostics.health import read_health
+        from birdcage.diagnostics.motor_test_records import read_motor_tests
 
         table = self._settings()
         unsaved = () if table is None else tuple(f"row {row.index} ({row.name})" for row in table.unsaved)
         try:
             health = read_health(journal, self._station.state, self._clock.utc(), unsaved=unsaved)
-            found = HealthNow(health, self._clock.monotonic())
+            tests = {each.axis: each for each in reversed(read_motor_tests(journal, health.dish))}
+            found = HealthNow(health, self._clock.monotonic(), tuple(tests.values()))
         except (BirdcageError, OSError) as error:
             found = replace(self.now, problem=str(error), read_at=self._clock.monotonic())
         self._soon(partial(self._have, found))

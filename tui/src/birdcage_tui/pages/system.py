@@ -115,7 +115,7 @@ class SystemPage(Page):
         if watched != self._watched:
             self._watched = watched
             self.host.watch_page()
-        if self.tab == "health":
+        if self.tab in ("health", "motors"):  # what the motors were measured at stands in the journal, too
             self.host.system.health.look()
         for part in (row, *self.query_one("#system-body").walk_children(Pane)):
             if part.region:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from birdcage.diagnostics.health import DishHealth
+    from birdcage.diagnostics.motor_test_records import MotorTest
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,5 +17,7 @@ class HealthNow:
     health: DishHealth | None = None
     read_at: float | None = None
     """Monotonic seconds."""
+    motor_tests: tuple[MotorTest, ...] = ()
+    """The newest test of each axis."""
     problem: str = ""
     """Why it can't be read, or the last acknowledgement not be kept, as a sentence."""

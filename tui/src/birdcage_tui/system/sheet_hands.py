@@ -5,9 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
+from birdcage.station.requests import BeginTask
 
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.system_sheet import cell_text
+from birdcage_tui.shown.view import YOU
 from birdcage_tui.system.ask_feature import (
     DETAIL_WIDTH,
     lines_screen,
@@ -23,6 +25,11 @@ from birdcage_tui.widgets.fields_screen import Values
 if TYPE_CHECKING:
     from birdcage_tui.feeds.sheet_feed import SheetFeed
     from birdcage_tui.widgets.page import Page
+
+TEST = (
+    "The azimuth and then the elevation turn up to 60° to and fro, three times, at full speed, and then back. Where the "
+    "azimuth has no room, it first turns to a place that has. Keep the whole swing of the dish clear."
+)
 
 
 class SheetHands:
@@ -50,6 +57,8 @@ class SheetHands:
                 self._set(sheet)
             case "undo":
                 self._undo()
+            case "test":
+                self._test()
             case _:
                 return False
         return True
@@ -94,6 +103,16 @@ class SheetHands:
 
         said = _coax_words(value) if feature.id == DISEQC else ""
         self._page.app.push_screen(set_question(feature, value, self._page.host.view(), said), answered)
+
+    def _test(self) -> None:
+        from birdcage.diagnostics.motor_test_task import KIND
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self._page.host.ask(BeginTask(KIND, {"axis": ""}, YOU))
+                self._page.host.say("Testing the motors. Space stops the dish.")
+
+        self._page.app.push_screen(QuestionScreen("Motor test", TEST, "area is clear: begin"), answered)
 
     def _undo(self) -> None:
         change = self._feed.undo()

@@ -178,6 +178,22 @@ def rest_lines(view: View, page: FeaturePage, width: int) -> list[str]:
     if dish is None:
         return []
     lines = [f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)]
+    if page is FeaturePage.MOTORS:
+        lines = [*measured_lines(view), "", *lines]
     if only := dish.console_only.get(page):
         lines += ["", *(f" {line}" for line in wrap(only, max(width - 2, 10)))]
     return ["", *lines] if lines else []
+
+
+def measured_lines(view: View) -> list[str]:
+    """Return what the last motor test measured of each axis, against what it should be."""
+    from birdcage.diagnostics.motor_test_words import figure_words
+
+    lines = []
+    for test in view.health.motor_tests:
+        speed = figure_words(test.speed, "deg/s", test.speed_nominal, "speed not reached")
+        acceleration = figure_words(test.acceleration, "deg/s²", test.acceleration_nominal, "acceleration not measured")
+        stall = "no stall" if test.stalled_at_deg is None else f"stalled at {test.stalled_at_deg:.1f}°"
+        age = age_text((view.utc - test.utc).total_seconds())
+        lines.append(f"Measured {test.axis}: {speed}, {acceleration}, {stall}, {age} ago")
+    return lines or ["Not measured yet: t tests speed and acceleration against nominal, and watches for stalls."]

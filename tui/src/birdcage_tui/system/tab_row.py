@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.shown.view import View
+from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.pane import Pane
 
 TABS = ("health", "hardware", "motors", "settings", "receiver")
@@ -36,6 +36,9 @@ class SystemTabs(Pane):
 
 def _asking(view: View) -> str:
     sheet = view.sheet
+    task = next((each for each in view.state.tasks if each.done is not None and each.holder == YOU), None)
+    if task is not None:
+        return f"{task.kind}, {task.done} of {task.of}"
     if sheet.waits:
         return sheet.waits
     if sheet.asked:
