@@ -7,9 +7,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, StoreError
 from birdcage.diagnostics.finding import Finding
 from birdcage.rotator.own_settings import SettingsTable
 from birdcage.station.access import FaceStation
@@ -17,6 +18,9 @@ from birdcage.station.requests import Read
 
 from birdcage_tui.feeds.sheet_feed import LOOKED_S, waits_for
 from birdcage_tui.shown.health_state import HealthNow
+
+if TYPE_CHECKING:
+    from birdcage.diagnostics.motor_test_records import MotorTest
 
 AGAIN_S = 10.0
 """How often the journal is read while somebody looks."""
@@ -76,14 +80,12 @@ class HealthFeed:
 
     def _work(self, journal: Path) -> None:
         from birdcage.diagnostics.health import read_health
-        from birdcage.diagnostics.motor_test_records import read_motor_tests
 
         table = self._settings()
         unsaved = () if table is None else tuple(f"row {row.index} ({row.name})" for row in table.unsaved)
         try:
             health = read_health(journal, self._station.state, self._clock.utc(), unsaved=unsaved)
-            tests = {each.axis: each for each in reversed(read_motor_tests(journal, health.dish))}
-            found = HealthNow(health, self._clock.monotonic(), tuple(tests.values()))
+            found = HealthNow(health, self._clock.monotonic(), _last_tests(journal, health.dish))
         except (BirdcageError, OSError) as error:
             found = replace(self.now, problem=str(error), read_at=self._clock.monotonic())
         self._soon(partial(self._have, found))
@@ -113,3 +115,13 @@ class HealthFeed:
     def _have_told(self, words: str, say: Callable[[str], object]) -> None:
         say(words)
         self.read()
+
+
+def _last_tests(journal: Path, dish: str) -> tuple[MotorTest, ...]:
+    """Return the newest motor test of each axis; none of a journal that can't be read, which the health tells."""
+    from birdcage.diagnostics.motor_test_records import read_motor_tests
+
+    try:
+        return tuple({each.axis: each for each in reversed(read_motor_tests(journal, dish))}.values())
+    except StoreError:
+        return ()

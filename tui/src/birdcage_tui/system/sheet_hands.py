@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from birdcage_tui.widgets.page import Page
 
 TEST = (
-    "The azimuth and then the elevation turn up to 60° to and fro, three times, at full speed, and then back. Where the "
-    "azimuth has no room, it first turns to a place that has. Keep the whole swing of the dish clear."
+    "The azimuth and then the elevation turn up to 60° to and fro, three times, at full speed, and then back. "
+    "Where the azimuth has no room, it first turns to a place that has. Keep the whole swing of the dish clear."
 )
 
 
