@@ -19,7 +19,7 @@ _SAVE_S = 10.0
 KNOWN: Mapping[int, SettingKnown] = {
     EL_MAX_ROW: SettingKnown(
         EL_MAX_ROW, "deg", range=Range(EL_SPAN_DEG[0], HIGHEST_EL_DEG),
-        danger="The dish then goes higher than the factory's 73°: a feed may hit.",
+        danger="Above the factory's 73° a feed may hit.",
         note="The highest elevation that it takes.",
     )
 }  # fmt: skip
