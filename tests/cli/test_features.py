@@ -41,7 +41,7 @@ def test_what_a_dish_tells_is_listed_without_a_port(run, as_json):
     lines = result.stdout.splitlines()
     headings = [line for line in lines if not line.startswith(" ")]
     assert headings[:3] == ["Hardware: Identity", "Hardware: Drivers", "Hardware: DIP switches"]
-    assert lines.index("Motors: Azimuth") < lines.index(table["speed.azimuth"]) < lines.index("Motors: Elevation")
+    assert lines.index("Motors: Limits") < lines.index(table["speed.azimuth"]) < lines.index("Motors: Gains")
     told = as_json(run("features", "--json", port="/dev/ttyUSB99", firmware="g2"))
     (search,) = [row for row in told["features"] if row["id"] == "tv_search"]
     assert (search["kind"], search["writer"], search["unit"]) == ("switch", "from power-up", None)
@@ -245,8 +245,8 @@ def test_a_page_is_read_menu_by_menu_and_shown_under_its_headings(run, as_json, 
     assert len(entered) == len(menus) + 1, "each once; in `dipswitch` the command is called so, too"
     sent = [line for line in pty_dish.lines() if line in ("regs", "id", "diag", "ee 0", "ee 15")]
     assert sent == ["id", "diag", "regs", "ee 0", "ee 15"], "each once"
-    told = as_json(run("get", "--page", "motors", "--group", "ELEVATION", "--json", port=pty_dish.path))
-    assert set(told["readings"]) == {name for name in CARRYOUT_G2.features if _is_of(name, "motors", "Elevation")}
+    told = as_json(run("get", "--page", "motors", "--group", "GAINS", "--json", port=pty_dish.path))
+    assert set(told["readings"]) == {name for name in CARRYOUT_G2.features if _is_of(name, "motors", "Gains")}
     assert None not in told["readings"].values()
 
 

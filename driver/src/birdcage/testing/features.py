@@ -84,9 +84,10 @@ class FeatureContract:
             require(name not in (POSITION, HEALTH), f"{name} is what faces watch for; no feature may have that id")
             require(each.health is None or each.is_readable, f"{name} tells of its health, and can't be read")
             require(each.label, f"{name} has no label")
-            once = each.writer is Writer.AT_ONCE
+            once, momentary = each.writer is Writer.AT_ONCE, each.kind is FeatureKind.MOMENTARY
+            sent = each.kind is FeatureKind.TEXT and not each.told  # it is over once its answer came
             require(
-                once is (each.kind is FeatureKind.MOMENTARY),
+                (momentary or sent) if once else not momentary,
                 f"{name} is {each.kind.value}, and written {each.writer.value}",
             )
             require(each.is_readable or each.is_writable, f"{name} can neither be read nor set")
