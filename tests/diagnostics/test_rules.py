@@ -221,3 +221,8 @@ def test_words():
     assert wording.at_angles([62.2, 65.4, 62.0]) == "at 62° and 65°"
     assert wording.at_angles(range(0, 100, 10)) == "between 0° and 90°"
     assert wording.share(0, 41220) == "none of 41,220"
+
+
+def test_a_journal_that_is_not_being_kept_now(now):
+    found = now(answering(warnings={"journal": "Faults are not being kept: the disk is full."}))["journal"]
+    assert (found.weight, found.why) == (Weight.WARN, "Faults are not being kept: the disk is full.")

@@ -193,3 +193,19 @@ def test_a_homing_that_is_cut_short_is_no_homing(kept):
     bench.step(40)
     assert future.exception(0) is not None
     assert here.rows("SELECT sentence FROM incident WHERE kind = 'homed'") == []
+
+
+def test_a_journal_that_cannot_be_kept_is_warned_of_until_it_can(kept):
+    here = kept()
+    here.path.mkdir()
+    bench = here.bench.connect(10.0)
+    assert here.journal.flush()
+    bench.do(Read(("sleep_timer",)))
+    bench.do(Goto(100, 40, "you"))
+    assert bench.state.warnings["journal"].startswith("Faults are not being kept: ")
+    here.path.rmdir()
+    bench.device.reboot()
+    bench.step(60)
+    assert here.journal.flush()
+    bench.do(Read(("version",)))
+    assert "journal" not in bench.state.warnings

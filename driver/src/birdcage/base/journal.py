@@ -15,6 +15,8 @@ from birdcage.base.store import open_database
 if TYPE_CHECKING:
     import sqlite3
 
+JOURNAL = "journal"
+"""Under which subject a station warns that its journal is not being kept."""
 ENTRIES = "SELECT utc, kind, reason, sentence, dish, axis, homing, az_deg, el_deg FROM fault"
 """The rows that `entry_of` takes."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from birdcage.base.journal import JOURNAL
 from birdcage.base.journal_rows import IncidentKind
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.finding import Finding, Urgency
@@ -17,6 +18,7 @@ SUPPLY_V = Range(11.0, 21.0)
 VERTICAL_V, HORIZONTAL_V = Range(11.0, 15.0), Range(16.0, 21.0)
 ASKS_FOR = {"V": (VERTICAL_V, "vertical", "13 V"), "H": (HORIZONTAL_V, "horizontal", "18 V")}
 """The supply by which a receiver asks an LNB for either polarisation."""
+SEE_TO_IT = "`birdcage paths` shows where the journal is. Check its permissions and the room on the disk."
 KEEP_CLEAR = "Keep clear whenever it gets power."
 
 
@@ -168,6 +170,10 @@ def journal(seen: Examination) -> Iterator[Finding]:
     if seen.history.problem:
         yield Finding(
             "journal", Urgency.WILL_STOP, "The dish's history is not available, so this is only its present state.",
-            seen.history.problem, ("`birdcage paths` shows where the journal is. Check its permissions and the disk.",),
+            seen.history.problem, (SEE_TO_IT,), lasts=True,
+        )  # fmt: skip
+    elif lost := seen.state.warnings.get(JOURNAL):
+        yield Finding(
+            "journal", Urgency.WILL_STOP, "What happens to the dish now is not being kept.", lost, (SEE_TO_IT,),
             lasts=True,
         )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from birdcage.base.journal import Journal
+from birdcage.base.journal import JOURNAL, Journal
 from birdcage.base.journal_rows import DishIncident, IncidentKind, JournalEntry, ToldSetting
 from birdcage.rotator.feature import LIMITING
 from birdcage.station.events import (
@@ -36,6 +36,7 @@ class DishRecord:
         self._station, self._journal = station, journal
         self._adapter_of, self._adapters = adapter_of, dict[str, str]()
         self._moves, self._moved_at, self._homed = False, -math.inf, list[str]()
+        self._problem: str | None = None
         self._was_up = self._is_down = self._lost_moving = False
 
     @property
@@ -54,6 +55,9 @@ class DishRecord:
 
     def hear(self, event: Event) -> None:
         """Take in an event."""
+        if self._journal.problem != self._problem:
+            self._problem = self._journal.problem
+            self._station.warn(JOURNAL, self._problem or "")
         match event:
             case ActivityChanged():
                 moves = event.activity in MOVING
