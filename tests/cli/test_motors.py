@@ -89,3 +89,15 @@ def test_a_stall_ends_it_with_the_angle_and_what_to_do(start, pty_dish):
     assert "Something blocks it, or its motor lost steps. Look at the dish first." in err
     seen = re.search(r"The dish was last seen at AZ [\d.]+° EL ([\d.]+)°", err)
     assert float(seen[1]) == pytest.approx(stood, abs=0.05)
+
+
+def test_a_dish_that_is_not_homed_is_not_turned(run):
+    result = run("motors", "--yes", port="sim:g2?unhomed=1")
+    assert result.exit_code == 4
+    assert "Nothing was measured. The dish is not homed" in result.stderr
+
+
+def test_a_carryout_is_refused_by_what_it_tells(run):
+    result = run("motors", "--yes", port="sim:carryout", firmware="carryout")
+    assert result.exit_code == 4
+    assert "tells only while it moves, and never at rest where it is" in result.stderr

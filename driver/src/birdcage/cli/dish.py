@@ -99,8 +99,8 @@ def why_unknown(state: StationState) -> str:
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
 
 
-def need_position(dish: StationCommand) -> None:
-    """Wait until it is known where the dish points, to follow something. PositionUnknown, and why, where it is not.
+def need_position(dish: StationCommand, lacking: str = "Nothing is followed.") -> None:
+    """Wait until it is known where the dish points. PositionUnknown, what is `lacking`, and why, where it is not.
 
     MotionRefused of a machine that follows nothing.
     """
@@ -113,7 +113,7 @@ def need_position(dish: StationCommand) -> None:
             break
         dish.look()
     if dish.state.position is None or dish.state.position_lost is not None:
-        raise PositionUnknown(f"Nothing is followed. {why_unknown(dish.state)}", reason=Reason.UNHOMED)
+        raise PositionUnknown(f"{lacking} {why_unknown(dish.state)}", reason=Reason.UNHOMED)
 
 
 def how_to_home(state: StationState) -> str:

@@ -373,15 +373,19 @@ class StepRunner:
             over = True  # it has come back, or cannot
         return StepResult(self.now_s) if over else None
 
+    @property
+    def _follows(self) -> bool:
+        return self._store.state.activity is Activity.FOLLOWING
+
     def _read(self, *, patient: bool = False) -> StepResult:
-        before_s, follows = self.now_s, self._store.state.activity is Activity.FOLLOWING
+        before_s = self.now_s
         try:
-            pointing = self._reader.position(glance=follows and not patient)
+            pointing = self._reader.position(glance=self._follows and not patient)
         except NoReply as error:
             self._bear(error)
             return StepResult(self.now_s)
         self._lost = self._late = 0
-        if follows:
+        if self._follows:
             self._show()
         if pointing is None:
             raise PositionUnknown(LOST, reason=Reason.UNHOMED)

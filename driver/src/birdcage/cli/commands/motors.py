@@ -33,10 +33,11 @@ def command(axis: str | None, yes: bool) -> None:
     """
     from birdcage.base.errors import BirdcageError
     from birdcage.cli.attached_command import reach_dish
+    from birdcage.cli.dish import need_position
     from birdcage.cli.motors_report import tell_motors, values_of_motors
     from birdcage.cli.owners import owners_of
     from birdcage.cli.say import say, tell_json
-    from birdcage.cli.signal_task import follow_task, ready_dish
+    from birdcage.cli.signal_task import follow_task
     from birdcage.cli.which import with_firmware
     from birdcage.diagnostics.motor_test_task import KIND
 
@@ -46,8 +47,8 @@ def command(axis: str | None, yes: bool) -> None:
         _refuse(wants.model)
     _confirm(axis, yes)
     with reach_dish(wants, HOLDER, moves=True) as dish:
-        ready_dish(dish, None, named=False)
-        _refuse(dish.state.dish)
+        _refuse(dish.come_up(15.0).dish)
+        need_position(dish, "Nothing was measured.")
 
         def doing(task: TaskState) -> str:
             return f"way {(task.done or 0) + 1} of {task.of} …"
