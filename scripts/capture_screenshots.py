@@ -63,7 +63,7 @@ def size_of(svg: str) -> tuple[int, int]:
 
 
 def collage(svgs: list[str]) -> str:
-    """Return four pictures as one, two in a row, each scaled to the same width."""
+    """Return the pictures as one, two in a row, each scaled to the same width."""
     width = max(size_of(svg)[0] for svg in svgs)
     heights = [size_of(svg)[1] * width / size_of(svg)[0] for svg in svgs]
     rows = [max(heights[i : i + 2]) for i in range(0, len(svgs), 2)]

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
+from datetime import timedelta
 
+from birdcage.base.journal import Journal
+from birdcage.base.journal_rows import DishIncident, IncidentKind, JournalEntry, ReplyCount
+from birdcage.base.wear import Wear, WearBook
 from network_clients import Gpredict, programs
 from stage import Stage
 
@@ -160,6 +164,50 @@ async def network(on: Stage) -> None:
             await on.wait(0.5)
 
 
+def remember_month(on: Stage) -> None:
+    """Keep a made-up month of the demo's dish: steady use, two stalls of the elevation, one restart."""
+    dish, now = "Carryout G2 (demo)", on.app.session.clock.utc()
+    journal, book = Journal(on.paths.journal), WearBook(on.paths.journal)
+    for days_ago, el_deg in ((3, 62.0), (1, 65.0)):
+        utc = now - timedelta(days=days_ago, hours=4)
+        journal.append(JournalEntry(utc, "dish", "stall", "DEMO: EL stalled.", dish, "elevation", False, 190.0, el_deg))
+    journal.append(DishIncident(now - timedelta(days=6), dish, IncidentKind.RESTART, False, "demo", ""))
+    for days_ago in range(45):
+        day = (now - timedelta(days=days_ago)).date()
+        journal.append(ReplyCount(dish, "demo", day, 1374, int(days_ago % 15 == 4), 0, 0))
+        for motor, degrees in ((0, 9600.0), (1, 2500.0)):
+            book.add(dish, Wear(motor, 40, degrees, 38), day)
+    for writer in (journal, book):
+        writer.flush()
+        writer.close()
+
+
+async def health(on: Stage) -> None:
+    """A dish whose elevation has stalled twice."""
+    remember_month(on)
+    await on.wait(12)
+    await on.press("f4")
+    await on.wait(6)
+
+
+async def system(on: Stage) -> None:
+    """What the dish tells of its hardware, a few seconds after the page was opened."""
+    await on.wait(12)
+    await on.press("f4", "b", *["down"] * 14)
+    await on.wait(4)
+
+
+async def nvs(on: Stage) -> None:
+    """An edit that is not written yet, with what a source tells of the row."""
+    await on.wait(12)
+    await on.press("f4", "n")
+    await on.wait(3)
+    await on.press(*["down"] * 22, "e")
+    await on.type("600")
+    await on.press("enter")
+    await on.wait(1)
+
+
 SCENES = (
     Scene("tui-dashboard", dashboard, ("FOLLOWING LEO 1", "error 0.", "LOS", "Health"), (160, 48), tour=True),
     Scene("tui-control", control, ("SLEWING", "Cable")),
@@ -167,6 +215,9 @@ SCENES = (
     Scene("tui-craft-tracking", craft, ("FOLLOWING Moon", "of the beam", "Azimuth, elevation, error"), (160, 48)),
     Scene("tui-signal", signal, ("% of the peak", "Fit of", "readings a second", "lock")),
     Scene("tui-sky-map", sky_map, ("The map is complete", "101W", "119W", "counts", "loudest")),
+    Scene("tui-system", system, ("Identity", "12-IN G2", "Drivers", "A3981> diag", "OK")),
+    Scene("tui-health", health, ("stalled", "What to do", "Link and power"), (160, 48)),
+    Scene("tui-nvs", nvs, ("Sleep Mode Timer Secs", "420", "not written yet", "1 to write")),
     Scene("tui-console", console, ("Min: 18.00", "beyond the limit")),
     Scene("tui-setup", setup, ("TV search", "North")),
     Scene("tui-craft-search", passes, ("Timeline of favourites", "in reach", "Doppler"), (160, 48)),
@@ -185,4 +236,4 @@ MOVING = MovingScene(
 """The one at the head of the README: the dish follows a satellite, ten times as fast as it does."""
 NOT_BUILT = ("tui-system", "tui-camera")
 """Pictures of an earlier app whose pages this version does not have."""
-COLLAGE = ("tui-dashboard", "tui-control", "tui-console", "tui-setup")
+COLLAGE = ("tui-dashboard", "tui-control", "tui-signal", "tui-system", "tui-console", "tui-craft-search")
