@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from datetime import timedelta
@@ -175,8 +176,9 @@ def remember_month(on: Stage) -> None:
     for days_ago in range(45):
         day = (now - timedelta(days=days_ago)).date()
         journal.append(ReplyCount(dish, "demo", day, 1374, int(days_ago % 15 == 4), 0, 0))
+        busy = 0.4 + 0.6 * abs(math.sin(days_ago * 1.7))
         for motor, degrees in ((0, 9600.0), (1, 2500.0)):
-            book.add(dish, Wear(motor, 40, degrees, 38), day)
+            book.add(dish, Wear(motor, 40, degrees * busy, 38), day)
     for writer in (journal, book):
         writer.flush()
         writer.close()
@@ -234,6 +236,6 @@ MOVING = MovingScene(
     size=(100, 30),
 )
 """The one at the head of the README: the dish follows a satellite, ten times as fast as it does."""
-NOT_BUILT = ("tui-system", "tui-camera")
+NOT_BUILT = ("tui-camera",)
 """Pictures of an earlier app whose pages this version does not have."""
 COLLAGE = ("tui-dashboard", "tui-control", "tui-signal", "tui-system", "tui-console", "tui-craft-search")

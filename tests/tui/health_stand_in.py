@@ -1,8 +1,8 @@
 """What the Health tab shows, around a stand-in: two findings and the figures of a quiet month."""
 
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 
-from birdcage.diagnostics.figures import HealthFigures, LinkFigures, MotorFigures
+from birdcage.diagnostics.figures import DayFigures, HealthFigures, LinkFigures, MotorFigures
 from birdcage.diagnostics.finding import Finding, Urgency
 from birdcage.diagnostics.health import DishHealth
 from birdcage.station.state import TvSearch
@@ -19,7 +19,11 @@ MOTORS = (
     MotorFigures("elevation", 2, None, None, 640, 120.0, 118.0, None, None),
 )
 LINK = LinkFigures(0.009, 41220, 3, 1, 0, 1, None, 0, 1, True, TvSearch.OFF, None)
-NOW = HealthNow(
-    DishHealth("Carryout G2 (demo)", (STALLS, SLEEP), HealthFigures(30, MOTORS, LINK), "Looked at 30 days."), 0.0
+DAYS = tuple(
+    DayFigures(SINCE.date() + timedelta(days=number), int(number == 4), int(number == 6), 0, 12 * (number == 8), 3.0)
+    for number in range(30)
 )
-WELL = HealthNow(DishHealth("Carryout G2 (demo)", (), HealthFigures(30, MOTORS, LINK), "Looked at 30 days."), 0.0)
+NOW = HealthNow(
+    DishHealth("Carryout G2 (demo)", (STALLS, SLEEP), HealthFigures(30, MOTORS, LINK, DAYS), "Looked at 30 days."), 0.0
+)
+WELL = HealthNow(DishHealth("Carryout G2 (demo)", (), HealthFigures(30, MOTORS, LINK, DAYS), "Looked at 30 days."), 0.0)

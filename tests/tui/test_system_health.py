@@ -38,12 +38,24 @@ def test_the_most_urgent_comes_first_with_what_to_do_beside_it(size):
     assert text.index("▲ now  EL stalled twice since Tuesday") < text.index("· note Sleep timer")
     assert "Look at the cable by the arm." in text
     assert re.search(r"stalls, 30 d +0 +2", text)
-    assert re.search(r"turns in all +1204 +--", text), "what is not known is a dash"
+    assert re.search(r"turns in all +1,204 +--", text), "what is not known is a dash"
     assert "9 ms, 3 of 41,220 lost" in text
     for region in regions:
         assert region.height >= 5
         assert region.right <= size[0]
         assert region.bottom <= size[1] - 1
+
+
+@pytest.mark.parametrize("size", SIZES[1:], ids=str)
+def test_where_there_is_room_the_days_stand_one_beside_the_other(size):
+    text, _ = shown(health_stand_in.NOW, size)
+    rows = {name: line.split(name)[1].split("│")[0].split() for line in text.splitlines()
+            for name in ("stalls    ", "lost replies") if name in line and ", 30 d" not in line}  # fmt: skip
+    days = {name: [day for word in words for day in word] for name, words in rows.items()}
+    assert days["stalls    "].index("1") == 4
+    assert days["lost replies"].index("▲") == 8, "more than a digit holds"
+    assert "10 Mar" in text
+    assert "08 Apr" in text
 
 
 def test_where_nothing_is_wrong_it_says_so_and_what_was_looked_at():

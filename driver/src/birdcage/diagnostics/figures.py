@@ -60,6 +60,20 @@ class LinkFigures:
 
 
 @dataclass(frozen=True, slots=True)
+class DayFigures:
+    """One UTC day."""
+
+    day: date
+    stalls: int
+    restarts: int
+    losses: int
+    """How often the dish stopped answering, or its port went away."""
+    unanswered: int
+    turns: float
+    """Of all axes together, in full circles."""
+
+
+@dataclass(frozen=True, slots=True)
 class HealthFigures:
     """All of them."""
 
@@ -67,6 +81,8 @@ class HealthFigures:
     """How many days are judged."""
     motors: tuple[MotorFigures, ...]
     link: LinkFigures
+    by_day: tuple[DayFigures, ...] = ()
+    """The days that are judged, the oldest first."""
 
 
 def health_figures(history: DishHistory, state: StationState, now: datetime) -> HealthFigures:
@@ -85,7 +101,26 @@ def health_figures(history: DishHistory, state: StationState, now: datetime) -> 
         search=state.search if seen.answers else TvSearch.UNKNOWN,
         lnb_supply=seen.reading(LNB_SUPPLY),
     )  # fmt: skip
-    return HealthFigures(history.days, _motors(seen), link)
+    return HealthFigures(history.days, _motors(seen), link, tuple(_day(seen, day) for day in _days(first, end)))
+
+
+def _days(first: date, end: date) -> list[date]:
+    return [first + timedelta(days=number) for number in range((end - first).days)]
+
+
+def _day(seen: Examination, day: date) -> DayFigures:
+    history, after = seen.history, day + timedelta(days=1)
+    restarts = history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
+    losses = history.recent_incidents(IncidentKind.SILENT, IncidentKind.LOST)
+    numbers = {each.axis for each in history.wear}
+    return DayFigures(
+        day,
+        sum(each.reason == FaultReason.STALL and each.utc.date() == day for each in seen.faults),
+        sum(each.utc.date() == day for each in restarts),
+        sum(each.utc.date() == day for each in losses),
+        history.asked(day, after).unanswered,
+        sum(history.worn(number, day, after).degrees for number in numbers) / TURN_DEG,
+    )
 
 
 def _span(history: DishHistory, now: datetime) -> tuple[date, date]:

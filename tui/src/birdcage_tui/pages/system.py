@@ -12,7 +12,7 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import CursorPane
 from birdcage_tui.system.detail_pane import DetailPane
 from birdcage_tui.system.findings_pane import FindingsPane
-from birdcage_tui.system.health_figures import LinkFiguresPane, MotorFiguresPane
+from birdcage_tui.system.health_figures import DaysPane, LinkFiguresPane, MotorFiguresPane
 from birdcage_tui.system.health_hands import HealthHands
 from birdcage_tui.system.own_settings_pane import OwnSettingsPane, SettingsBox
 from birdcage_tui.system.settings_hands import SettingsHands
@@ -25,6 +25,8 @@ from birdcage_tui.widgets.pane import Pane
 
 BESIDE = 110
 """From this width on what there is to say of a row stands beside the list, else below."""
+ROOMY = 28
+"""From this height on the days stand one beside the other."""
 STEADY_S = 600.0
 """What its machine is asked for as seldom as this does not change: it is not watched."""
 SHEETS = {"hardware": FeaturePage.HARDWARE, "motors": FeaturePage.MOTORS, "receiver": FeaturePage.RECEIVER}
@@ -48,8 +50,11 @@ class SystemPage(Page):
     SystemPage.-beside #system-body { layout: horizontal; }
     SystemPage #system-health-box { height: 1fr; width: 1fr; }
     SystemPage #system-figures { height: 8; }
-    SystemPage #system-figures Pane { height: 1fr; width: 1fr; border: round $line; border-title-color: $dim;
+    SystemPage #system-days { height: 8; display: none; }
+    SystemPage.-roomy #system-days { display: block; }
+    SystemPage #system-days, SystemPage #system-figures Pane { border: round $line; border-title-color: $dim;
         border-title-style: none; }
+    SystemPage #system-figures Pane { height: 1fr; width: 1fr; }
     SystemPage #system-figures LinkFiguresPane { width: 1.25fr; }
     SystemPage FilterBox { height: 1fr; width: 1fr; }
     SystemPage FilterBox Input { height: 1; border: none; }
@@ -74,6 +79,7 @@ class SystemPage(Page):
         with Container(id="system-body"):
             with Vertical(id="system-health-box"):
                 yield FindingsPane(id="system-health")
+                yield DaysPane(id="system-days")
                 with Horizontal(id="system-figures"):
                     yield MotorFiguresPane(id="system-motor-figures")
                     yield LinkFiguresPane(id="system-link-figures")
@@ -130,6 +136,7 @@ class SystemPage(Page):
     def on_resize(self) -> None:
         """Put the words beside the list where there is room."""
         self.set_class(self.size.width >= BESIDE, "-beside")
+        self.set_class(self.size.height >= ROOMY, "-roomy")
 
     def do(self, command: str) -> bool:
         """Carry out a command of the page."""

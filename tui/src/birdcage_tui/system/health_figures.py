@@ -12,6 +12,7 @@ from birdcage_tui.shown.system_sheet import number_words
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 
+BARS = "▁▂▃▄▅▆▇█"
 NAME, AXIS, LINK_NAME = 13, 12, 10
 """Columns of a row's name, of the value of an axis, and of a row's name beside."""
 
@@ -52,11 +53,16 @@ def _motor_values(motor: MotorFigures, view: View) -> list[tuple[str, str]]:
     if motor.driver is not None:
         ink = {True: "text", False: "fault", None: "text"}[motor.driver_is_good]
         driver = (f"{motor.driver.value} {age_text(view.now - motor.driver.at)}", ink)
-    total = "--" if motor.turns_in_all is None else number_words(motor.turns_in_all)
+    total = "--" if motor.turns_in_all is None else _turns(motor.turns_in_all)
     return [
         (str(motor.stalls), "warn" if motor.stalls else "text"), driver, (f"{motor.moves:,}", "text"),
-        (number_words(motor.turns), "text"), (total, "text"),
+        (_turns(motor.turns), "text"), (total, "text"),
     ]  # fmt: skip
+
+
+def _turns(turns: float) -> str:
+    """Return turns with no more digits than they mean."""
+    return f"{turns:,.0f}" if turns >= 100.0 else f"{turns:.1f}"
 
 
 class LinkFiguresPane(Pane):
@@ -93,3 +99,41 @@ class LinkFiguresPane(Pane):
         for y, (name, value, ink) in enumerate(rows):
             cells.put(1, y, name, "dim")
             cells.put(2 + LINK_NAME, y, elide(value, cells.width - 2 - LINK_NAME), "dim" if value == "--" else ink)
+
+
+class DaysPane(Pane):
+    """The days one beside the other: a sign where something happened, a bar for how far the motors turned."""
+
+    def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
+        super().__init__(id=id)
+        self.border_title = "Day by day"
+
+    def draw(self, cells: Cells, view: View) -> None:
+        """Write a row for each sort of event, and the dates of the first and the last day."""
+        figures = figures_of(view)
+        if figures is None or not figures.by_day:
+            cells.put(1, 0, "--", "dim")
+            return
+        room = cells.width - 3 - NAME
+        days = figures.by_day[-room:]
+        each = max(min(room // len(days), 3), 1)
+        rows = (
+            ("stalls", [day.stalls for day in days], "warn"), ("restarts", [day.restarts for day in days], "text"),
+            ("link lost", [day.losses for day in days], "text"),
+            ("lost replies", [day.unanswered for day in days], "text"),
+        )  # fmt: skip
+        for y, (name, counts, ink) in enumerate(rows):
+            cells.put(1, y, name, "dim")
+            for number, count in enumerate(counts):
+                shown = "·" if not count else str(count) if count < 10 else "▲"
+                cells.put(2 + NAME + each * number, y, shown, ink if count else "faint")
+        most = max((1e-9, *(day.turns for day in days)))
+        cells.put(1, 4, "turns", "dim")
+        for number, day in enumerate(days):
+            bar = BARS[min(round(day.turns / most * (len(BARS) - 1)), len(BARS) - 1)] if day.turns else "·"
+            cells.put(2 + NAME + each * number, 4, bar, "accent" if day.turns else "faint")
+        first, last = f"{days[0].day:%d %b}", f"{days[-1].day:%d %b}"
+        cells.put(2 + NAME, 5, first, "dim")
+        end = 2 + NAME + each * len(days)
+        if end - 2 - NAME > len(first) + len(last) + 1:
+            cells.right(end, 5, last, "dim")

@@ -9,7 +9,7 @@ from birdcage.rotator.feature import Feature, FeaturePage
 from textual.geometry import Region
 
 from birdcage_tui.drawing.canvas import Cells
-from birdcage_tui.drawing.cell_text import elide, fit, wrap
+from birdcage_tui.drawing.cell_text import elide, fit, pad, wrap
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.state_words import age_text
 from birdcage_tui.shown.system_sheet import SheetRow, absent_groups, cell_text, sheet_readings, sheet_rows
@@ -160,7 +160,7 @@ class SheetPane(CursorPane):
             value = "▲ not told" if failed else "…" if told.age_s is None and feature.id in sheet.asked else told.value
             ink = "warn" if failed else "dim" if told.age_s is None or told.is_old else "text"
             if here and self.has_focus and index == min(self.axis, len(row.cells) - 1):
-                cells.put(x - 1, y, f" {fit(value, width)}", "accent-row")
+                cells.put(x - 1, y, f" {pad(elide(value, width), width)}", "accent-row")
             else:
                 cells.put(x, y, elide(value, width), ink)
             self.hits.append((Region(0 if index == 0 else x, y, cells.width, 1), number, index))

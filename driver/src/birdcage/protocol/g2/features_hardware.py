@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from birdcage.protocol.g2.drivers import FAULT, OK
+from birdcage.protocol.g2.drivers import OK
 from birdcage.protocol.g2.eeprom import FIRST_ENTRIES
 from birdcage.protocol.g2.feature_rows import Question, counts, each, in_lines, lines, one, text, told, under
 from birdcage.protocol.g2.pin_functions import PORTS
@@ -32,7 +32,7 @@ def cleared(dish: CarryoutG2Protocol) -> dict[str, Value]:
 
 def _driver(axis: Axis) -> Feature:
     mark = HealthMark(f"{axis.role.name.lower()} driver", good=(OK,))
-    return replace(text(f"driver.{axis.name}", f"Driver of the {axis.name} motor ({OK} or {FAULT})"), health=mark)
+    return replace(text(f"driver.{axis.name}", f"Driver of the {axis.name} motor"), health=mark)
 
 
 _IDENTITY = (
