@@ -22,8 +22,8 @@ from birdcage_tui.system.own_settings_pane import OwnSettingsPane
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "tests" / "tui")]
 
-import stand_in
-from test_end_to_end import House, press
+import stand_in  # noqa: E402 - the path comes first
+from test_end_to_end import House, press  # noqa: E402
 
 TABS = {"b": FeaturePage.HARDWARE, "m": FeaturePage.MOTORS, "d": FeaturePage.RECEIVER}
 BACK = 2

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
-from birdcage.rotator.feature import RSSI, Feature, FeaturePage, speed_of
+from birdcage.rotator.feature import RSSI, Feature, speed_of
 from birdcage.rotator.ladder import MoveKind, Rung
 from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
@@ -202,8 +202,8 @@ class Facts:
     """Whether it keeps settings in a memory of its own that can be read and changed: `Rotator.own_settings`."""
     settings_known: Mapping[int, SettingKnown] = field(default_factory=dict)
     """What sources tell of the rows of that memory, by index."""
-    console_only: Mapping[FeaturePage, str] = field(default_factory=dict)
-    """What of a page of features stays in its raw console, and why, in sentences."""
+    console_only: Mapping[str, str] = field(default_factory=dict)
+    """What of a page of features (`FeaturePage.value`) stays in its raw console, and why, in sentences."""
     settings_name: str = "settings"
     """What the machine calls the table of its settings: its backups are named by it."""
     rotctld_name: str = ""

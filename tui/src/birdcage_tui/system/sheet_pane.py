@@ -180,7 +180,7 @@ def rest_lines(view: View, page: FeaturePage, width: int) -> list[str]:
     lines = [f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)]
     if page is FeaturePage.MOTORS:
         lines = [*measured_lines(view), "", *lines]
-    if only := dish.console_only.get(page):
+    if only := dish.console_only.get(page.value):
         lines += ["", *(f" {line}" for line in wrap(only, max(width - 2, 10)))]
     return ["", *lines] if lines else []
 

@@ -11,15 +11,15 @@ from birdcage.rotator.feature import FeaturePage
 from birdcage.rotator.feature_table import FeatureTable
 
 CONSOLE_ONLY = {
-    FeaturePage.MOTORS: (
+    FeaturePage.MOTORS.value: (
         "Only in the console (F5): MOT> sd, motorboth and vms, which move the motors by themselves. MOT> w, which "
         "switches the protection of the cable off. MOT> sp and sw: no source tells their unit. STEP> p and v, which "
         "move beyond every limit."
     ),
-    FeaturePage.RECEIVER: (
+    FeaturePage.RECEIVER.value: (
         "Only in the console (F5): DVB> e, srch, man, pwr and def change the tuner in ways that no source explains."
     ),
-    FeaturePage.HARDWARE: "Only in the console (F5): GPIO> w and EE> inv and def, which can do lasting harm.",
+    FeaturePage.HARDWARE.value: "Only in the console (F5): GPIO> w and EE> inv and def, which can do lasting harm.",
 }
 """What the faces leave to the raw console (docs/reference/g2-commands.md)."""
 
