@@ -137,7 +137,7 @@ def _parted(name: str, axes: Iterable[str]) -> tuple[str, str]:
 
 def _row(group: str, found: list[tuple[Feature, str]]) -> SheetRow:
     feature, axis = found[0]
-    if not axis:
+    if not axis or len(found) == 1:
         return SheetRow(group, feature.label, (feature,))
     label = " ".join(feature.label.replace(axis, "").split()).replace(" ,", ",").rstrip(",: ")
     return SheetRow(

@@ -41,9 +41,10 @@ class MotorFiguresPane(Pane):
         for y, name in enumerate(rows, 1):
             cells.put(1, y, name, "dim")
         axis = max(min(AXIS, (cells.width - NAME - 3) // len(figures.motors)), 6)
+        whole = all(len(motor.axis) < axis for motor in figures.motors)
         for number, motor in enumerate(figures.motors):
             x = 2 + NAME + axis * number
-            cells.put(x, 0, motor.axis if len(motor.axis) < axis else motor.axis[:2], "dim")
+            cells.put(x, 0, motor.axis if whole else motor.axis[:2], "dim")
             for y, (value, ink) in enumerate(_motor_values(motor, view), 1):
                 cells.put(x, y, elide(value, axis - 1), ink)
 

@@ -177,18 +177,23 @@ def rest_lines(view: View, page: FeaturePage, width: int) -> list[str]:
     dish = view.state.dish
     if dish is None:
         return []
-    lines = [f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)]
-    if page is FeaturePage.MOTORS:
-        lines = [*measured_lines(view), "", *lines]
-    if only := dish.console_only.get(page.value):
-        lines += ["", *(f" {line}" for line in wrap(only, max(width - 2, 10)))]
-    return ["", *lines] if lines else []
+    absent = [
+        f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)
+    ]
+    measured = measured_lines(view) if page is FeaturePage.MOTORS else []
+    lines = list[str]()
+    for part in (measured, absent, [dish.console_only.get(page.value, "")]):
+        if any(part):
+            lines += ["", *(line for each in part for line in wrap(each, max(width - 1, 10), indent="  "))]
+    return lines
 
 
 def measured_lines(view: View) -> list[str]:
     """Return what the last motor test measured of each axis, against what it should be."""
-    from birdcage.diagnostics.motor_test_words import figure_words
+    from birdcage.diagnostics.motor_test_words import figure_words, not_measured
 
+    if view.state.dish is not None and (why := not_measured(view.state.dish)):
+        return [why.removesuffix(" Nothing was sent.")]
     lines = []
     for test in view.health.motor_tests:
         speed = figure_words(test.speed, "deg/s", test.speed_nominal, "speed not reached")
