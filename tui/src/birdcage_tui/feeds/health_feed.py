@@ -16,8 +16,9 @@ from birdcage.rotator.own_settings import SettingsTable
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import Read
 
-from birdcage_tui.feeds.sheet_feed import LOOKED_S, waits_for
+from birdcage_tui.feeds.sheet_feed import LOOKED_S
 from birdcage_tui.shown.health_state import HealthNow
+from birdcage_tui.shown.system_sheet import waits_for
 
 if TYPE_CHECKING:
     from birdcage.diagnostics.motor_test_records import MotorTest

@@ -19,9 +19,9 @@ from birdcage.station.access import FaceStation
 from birdcage.station.requests import ReadSettings, Request, SaveSettings, WriteSettings
 from birdcage.station.state import LinkPhase
 
-from birdcage_tui.feeds.sheet_feed import LOOKED_S, waits_for
+from birdcage_tui.feeds.sheet_feed import LOOKED_S
 from birdcage_tui.shown.own_settings import OwnSettingsNow
-from birdcage_tui.shown.system_sheet import OLD_S
+from birdcage_tui.shown.system_sheet import OLD_S, waits_for
 from birdcage_tui.shown.view import YOU
 
 MOST_AT_ONCE = 25

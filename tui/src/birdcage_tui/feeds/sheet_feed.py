@@ -13,9 +13,8 @@ from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, Value
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import Read, Set
-from birdcage.station.state import MOVING, LinkPhase, StationState
 
-from birdcage_tui.shown.system_sheet import OLD_S, FeatureChange, SheetNow, features_on
+from birdcage_tui.shown.system_sheet import OLD_S, FeatureChange, SheetNow, features_on, waits_for
 from birdcage_tui.shown.view import YOU
 
 LOOKED_S = 3.0
@@ -37,7 +36,6 @@ class SheetFeed:
         self._chunks: deque[tuple[str, ...]] = deque()
         self._out: Future[object] | None = None
         self._failed: dict[str, str] = {}
-        self._waits = ""
         self._changes: list[FeatureChange] = []
         self._answers: dict[str, Reading] = {}
 
@@ -46,7 +44,7 @@ class SheetFeed:
         """What there is to show."""
         asked = frozenset(name for chunk in self._chunks for name in chunk)
         undo = self._changes[-1] if self._changes else None
-        return SheetNow(asked, self._failed, self._waits, self._answers, undo)
+        return SheetNow(asked, self._failed, self._answers, undo)
 
     @property
     def is_settled(self) -> bool:
@@ -146,11 +144,9 @@ class SheetFeed:
         """Ask for the next, if the page is still seen and the machine may be asked."""
         if self._out is not None or not self._chunks:
             return
-        state = self._station.state
-        self._waits = waits_for(state)
         if self._clock.monotonic() - self._looked_at > LOOKED_S:
             self._chunks.clear()
-        elif not self._waits:
+        elif not waits_for(self._station.state):
             self._submit(self._chunks.popleft(), agreed=False)
 
     def _submit(self, ids: tuple[str, ...], *, agreed: bool) -> None:
@@ -162,7 +158,6 @@ class SheetFeed:
         error = None if done.cancelled() else done.exception()
         if isinstance(error, BirdcageError) and error.reason is Reason.MOVING:
             self._chunks.appendleft(ids)
-            self._waits = str(error)
         elif error is not None and len(ids) > 1:  # one of them is to blame: the others are told apart from it
             half = len(ids) // 2
             self._chunks.extendleft((ids[half:], ids[:half]))
@@ -179,12 +174,3 @@ class SheetFeed:
 
 def _is_read_unasked(feature: Feature) -> bool:
     return feature.is_readable and not feature.read_hazard and feature.kind is not FeatureKind.MOMENTARY
-
-
-def waits_for(state: StationState) -> str:
-    """Return why the machine is not asked now, as a sentence; empty where it is."""
-    if state.link.state is not LinkPhase.UP:
-        return "The dish does not answer."
-    if state.motion is not None or state.activity in MOVING or state.raw_motion:
-        return "Nothing is read while the dish moves."
-    return ""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import SETTINGS, Feature, FeatureKind, FeaturePage, Reading, Value
+from birdcage.station.state import MOVING, LinkPhase, StationState
 
 if TYPE_CHECKING:
     from birdcage_tui.shown.view import View
@@ -72,8 +73,6 @@ class SheetNow:
     """What is still to be read."""
     failed: Mapping[str, str] = field(default_factory=dict)
     """Why a feature could not be read, as a sentence, by its id."""
-    waits: str = ""
-    """Why nothing is read now, as a sentence; empty while all is read."""
     answers: Mapping[str, Reading] = field(default_factory=dict)
     """What the machine answered to what can only be sent, by id."""
     undo: FeatureChange | None = None
@@ -87,6 +86,15 @@ BOOT_LOG = Feature(
 """Nothing that can be asked for: the station keeps what it heard."""
 BESIDE = {FeaturePage.MOTORS: (FeaturePage.SETTINGS,)}
 """Pages that stand on the same tab: what limits motion is read out of the settings."""
+
+
+def waits_for(state: StationState) -> str:
+    """Return why the machine is not asked now, as a sentence; empty where it is."""
+    if state.link.state is not LinkPhase.UP:
+        return "The dish does not answer."
+    if state.motion is not None or state.activity in MOVING or state.raw_motion:
+        return "Nothing is read while the dish moves."
+    return ""
 
 
 def features_on(dish: Facts | None, page: FeaturePage) -> list[Feature]:

@@ -11,6 +11,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import elide, fit, wrap
 from birdcage_tui.shown.own_settings import SettingLine, setting_lines
 from birdcage_tui.shown.state_words import age_text
+from birdcage_tui.shown.system_sheet import waits_for
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import CursorPane, Detail, Line
 from birdcage_tui.widgets.filter_box import FilterBox
@@ -129,7 +130,7 @@ class OwnSettingsPane(CursorPane):
         if not dish.has_own_settings:
             return f"The {dish.name} has no settings that can be read."
         if now.table is None:
-            return "Reading the settings …" if now.busy else now.wrong or view.sheet.waits or NOT_READ
+            return "Reading the settings …" if now.busy else now.wrong or waits_for(view.state) or NOT_READ
         if self.filter:
             return f'No row matches "{self.filter}". / changes the filter.'
         return "No row differs from the factory's value. o shows all."

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage_tui.commands import BY_NAME
 from birdcage_tui.drawing.canvas import Cells
+from birdcage_tui.shown.system_sheet import waits_for
 from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.pane import Pane
 
@@ -39,8 +40,8 @@ def _asking(view: View) -> str:
     task = next((each for each in view.state.tasks if each.done is not None and each.holder == YOU), None)
     if task is not None:
         return f"{task.kind}, {task.done} of {task.of}"
-    if sheet.waits:
-        return sheet.waits
+    if waits := waits_for(view.state):
+        return waits
     if sheet.asked:
         return f"reading, {len(sheet.asked)} to go"
     return "hidden tabs ask nothing"
