@@ -1,12 +1,14 @@
 """F4, NVS: edits wait in the app, are seen as old and new before they are written, and saved in a step of their own."""
 
 import re
+from concurrent.futures import Future
 from dataclasses import replace
 
 import pytest
 import settings_stand_in
 import stand_in
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWritten
 from birdcage.station.requests import ReadSettings, SaveSettings, WriteSettings
 from birdcage_tui.shown.own_settings import OwnSettingsNow, setting_lines
 from birdcage_tui.system.own_settings_pane import OwnSettingsPane
@@ -137,7 +139,9 @@ async def test_an_edit_is_written_to_memory_after_a_question_and_saved_in_a_step
         row = house.app.system.own_settings.now.table.rows[38]
         assert (row.current, row.saved) == ("600", "420")
         assert len(list((tmp_path / "backups").glob("*.txt"))) == 1
-        await press(house, "s", "y")
+        await press(house, "s")
+        await house.step(0.5)
+        await press(house, "y")
         await house.step(4)
         row = house.app.system.own_settings.now.table.rows[38]
         assert (row.current, row.saved) == ("600", "600")
@@ -171,19 +175,23 @@ async def test_a_backup_brings_back_every_row_that_was_changed_since(tmp_path):
         await opened(house, tmp_path)
         before = house.app.system.own_settings.now.table.printed
         await press(house, "B")
-        await house.step(0.2)
+        await house.step(4)
         (backup,) = (tmp_path / "backups").glob("*.txt")
         for index, value in ((38, "600"), (27, "60")):
             await edit(house, index, value)
         await press(house, "w", "y")
         await house.step(4)
-        await press(house, "s", "y")
+        await press(house, "s")
+        await house.step(0.5)
+        await press(house, "y")
         await house.step(4)
         said = house.app.system.own_settings.stage_from(backup)
         assert said.startswith("2 rows differ")
         await press(house, "w", "y")
         await house.step(4)
-        await press(house, "s", "y")
+        await press(house, "s")
+        await house.step(0.5)
+        await press(house, "y")
         await house.step(4)
         assert house.app.system.own_settings.now.table.printed == before
 
@@ -222,3 +230,79 @@ def test_writing_and_saving_ask_first_and_say_who():
     assert (before, unsaved) == ([], [])
     assert wrote == [WriteSettings({38: "600"}, "you", agreed=True)]
     assert saved == [SaveSettings("you", agreed=True)]
+
+
+class Slow:
+    """A station that answers when it is told to."""
+
+    def __init__(self, app):
+        self.asked, self._station = [], app.station
+        app.station.submit = self._submit
+
+    def _submit(self, request):
+        self.asked.append((request, Future()))
+        return self.asked[-1][1]
+
+    def of(self, kind):
+        return [request for request, _ in self.asked if isinstance(request, kind)]
+
+    def answer(self, kind, value):
+        (future,) = [future for request, future in self.asked if isinstance(request, kind) and not future.done()]
+        future.set_result(value)
+
+
+def test_what_is_edited_while_a_write_is_under_way_is_not_written_with_it():
+    async def look(app, pilot):
+        await with_table(app, pilot, staged={38: "600"})
+        slow = Slow(app)
+        await pilot.press("w", "y")
+        await pilot.pause()
+        app.system.own_settings.stage(38, "0")
+        slow.answer(WriteSettings, SettingsWritten("backup.txt", TABLE))
+        await pilot.pause()
+        await pilot.pause()
+        return slow.of(WriteSettings), dict(app.system.own_settings.now.staged)
+
+    wrote, staged = run(look, size=(120, 36))
+    assert wrote == [WriteSettings({38: "600"}, "you", agreed=True)]
+    assert staged == {38: "0"}
+
+
+def test_another_dish_drops_what_was_staged_for_the_one_before():
+    async def look(app, pilot):
+        await with_table(app, pilot, staged={38: "600"})
+        app.station.state = replace(app.station.state, port="/dev/ttyUSB7")
+        app.paint()
+        await pilot.pause()
+        return app.system.own_settings.now
+
+    now = run(look, size=(120, 36))
+    assert (now.table, dict(now.staged)) == (None, {})
+
+
+def test_a_command_of_the_tab_chosen_from_another_one_shows_it_first():
+    async def look(app, pilot):
+        await pilot.press("f4", "h")
+        await pilot.pause()
+        app.action_command("settings-filter")
+        await pilot.pause()
+        return app.page.tab, app.focused.region, app.focused.display
+
+    tab, region, seen = run(look)
+    assert tab == "settings"
+    assert seen
+    assert region.height == 1
+
+
+def test_a_name_with_brackets_is_shown_as_it_is():
+    async def look(app, pilot):
+        await with_table(app, pilot)
+        row = SettingRow(7, "a [/] b [deg]", "1", "1", "1")
+        app.system.own_settings.now = OwnSettingsNow(SettingsTable(("x",), {7: row}), app.session.clock.monotonic())
+        app.paint()
+        await pilot.pause()
+        await pilot.press("enter")
+        await pilot.pause()
+        return stand_in.text_of(app)
+
+    assert "Row 7: a [/] b [deg]" in run(look, size=(120, 36))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from birdcage.station.state import LinkPhase
 
 from birdcage_tui.commands.table import Command, Reason, always
-from birdcage_tui.shown.allowed import CommandContext, can_move, can_release
+from birdcage_tui.shown.allowed import CommandContext, can_move
 
 PAGE = "system"
 HERE, SHEET, SETTINGS, HEALTH = (PAGE,), ("system-sheet",), ("system-settings",), ("system-health",)
@@ -21,12 +21,8 @@ def can_test_motors(context: CommandContext) -> str | None:
     from birdcage.diagnostics.motor_test_words import not_measured
 
     dish = context.state.dish
-    return can_move(context) or (not_measured(dish) if dish is not None else None) or None
-
-
-def can_open(context: CommandContext) -> str | None:
-    """Return why Enter opens nothing here: while something is held, it releases that first, as everywhere."""
-    return None if can_release(context) is None else always(context)
+    unmeasured = "" if dish is None else not_measured(dish)
+    return can_move(context) or unmeasured or None
 
 
 def _tab(name: str, key: str, title: str, text: str) -> Command:
@@ -71,18 +67,17 @@ SYSTEM = (
     _sheet("page-up", ("pageup",), "PgUp", "A page up", "Select a row further up."),
     _sheet("page-down", ("pagedown",), "PgDn", "A page down", "Select a row further down."),
     _sheet("open", ("enter",), "Enter", "Show all", "Show all lines of the value, its source, limits and hazards.",
-           can_open, "show all"),
+           footer="show all"),
     _sheet("set", ("e",), "e", "Set …", "Set the value: range, old value, hazard. Asks first.", can_ask_dish, "set"),
     _sheet("test", ("t",), "t", "Test the motors …",
            "Measure speed and acceleration against nominal, and watch for stalls. The dish moves. Asks first.",
            can_test_motors),
-    _sheet("undo", ("u",), "u", "Undo", "Put back the value that was set last.", can_ask_dish, "undo"),
+    _sheet("undo", ("u",), "u", "Undo", "Put back the value that was set last. Asks first.", can_ask_dish, "undo"),
     _settings("up", ("up", "k"), "↑ k", "Row above", "Select the row above."),
     _settings("down", ("down", "j"), "↓ j", "Row below", "Select the row below."),
     _settings("page-up", ("pageup",), "PgUp", "A page up", "Select a row further up."),
     _settings("page-down", ("pagedown",), "PgDn", "A page down", "Select a row further down."),
-    _settings("open", ("enter",), "Enter", "What is it", "Show what is known of the row, and what a wrong value does.",
-              can_open),
+    _settings("open", ("enter",), "Enter", "What is it", "Show what is known of the row, and what it risks."),
     _settings("edit", ("e",), "e", "Edit …", "Type a new value. Nothing is written yet.", can_change_settings, "edit"),
     _settings("drop", ("x", "delete"), "x", "Drop the edit", "Forget the new value of this row."),
     _settings("write", ("w",), "w", "Write …", "Show old and new values, then write them to the dish's memory.",
@@ -99,7 +94,7 @@ SYSTEM = (
     _settings("compare", ("c",), "c", "Compare …", "Show how the dish differs from a backup.", can_change_settings),
     _health("up", ("up", "k"), "↑ k", "Row above", "Select the row above."),
     _health("down", ("down", "j"), "↓ j", "Row below", "Select the row below."),
-    _health("open", ("enter",), "Enter", "Explain", "Show why, and what to do.", can_open, "explain"),
+    _health("open", ("enter",), "Enter", "Explain", "Show why, and what to do.", footer="explain"),
     _health("acknowledge", ("a",), "a", "Acknowledge", "You have seen it. It comes back when it happens again.",
             footer="acknowledge"),
 )  # fmt: skip

@@ -16,6 +16,7 @@ from birdcage.rotator.own_settings import SettingsTable
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import Read
 
+from birdcage_tui.feeds.dish_seen import DishSeen
 from birdcage_tui.feeds.sheet_feed import LOOKED_S
 from birdcage_tui.shown.health_state import HealthNow
 from birdcage_tui.shown.system_sheet import waits_for
@@ -46,12 +47,14 @@ class HealthFeed:
         self._station, self._clock, self._soon, self._changed = station, clock, soon, changed
         self._journal, self._settings, self.beside = journal, settings, beside
         self.now = HealthNow(problem="" if journal is not None else "This app keeps no journal.")
-        self._reads = False
+        self._reads, self._seen = False, DishSeen()
         self._looked_at = self._asked_at = -ASK_AGAIN_S
 
     def look(self) -> None:
         """Somebody looks: judge on arrival and now and then, and have the dish asked for what the rules look at."""
         now = self._clock.monotonic()
+        if self._seen.is_another(self._station.state):
+            self.now, self._asked_at = HealthNow(problem=self.now.problem), -ASK_AGAIN_S
         arrived, self._looked_at = now - self._looked_at > LOOKED_S, now
         self._ask(now)
         if arrived or self.now.read_at is None or now - self.now.read_at >= AGAIN_S:
@@ -89,7 +92,14 @@ class HealthFeed:
             found = HealthNow(health, self._clock.monotonic(), _last_tests(journal, health.dish))
         except (BirdcageError, OSError) as error:
             found = replace(self.now, problem=str(error), read_at=self._clock.monotonic())
+        except Exception:
+            self._soon(self._free)
+            raise
         self._soon(partial(self._have, found))
+
+    def _free(self) -> None:
+        """Let the next look judge again."""
+        self._reads = False
 
     def _have(self, found: HealthNow) -> None:
         self._reads, self.now = False, found

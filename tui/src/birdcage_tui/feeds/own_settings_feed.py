@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 from concurrent.futures import Future
 from dataclasses import replace
@@ -9,7 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import ConfigError, StoreError
+from birdcage.base.errors import BirdcageError, ConfigError, StoreError
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWritten
@@ -17,9 +18,9 @@ from birdcage.rotator.settings_compare import differences, restoring
 from birdcage.rotator.settings_file import SettingsDump, backup_path, read_settings_file, settings_text
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import ReadSettings, Request, SaveSettings, WriteSettings
-from birdcage.station.state import LinkPhase
 
-from birdcage_tui.feeds.sheet_feed import LOOKED_S
+from birdcage_tui.feeds.dish_seen import DishSeen
+from birdcage_tui.feeds.sheet_feed import AGAIN_S, LOOKED_S
 from birdcage_tui.shown.own_settings import OwnSettingsNow
 from birdcage_tui.shown.system_sheet import OLD_S, waits_for
 from birdcage_tui.shown.view import YOU
@@ -39,92 +40,113 @@ class OwnSettingsFeed:
     ) -> None:  # fmt: skip
         """`say` hears what was done; backups are looked for in `folder`, None: there are none."""
         self._station, self._clock, self._soon, self._changed = station, clock, soon, changed
-        self._say, self._folder = say, folder
+        self._say, self._folder, self._seen = say, folder, DishSeen()
         self.now = OwnSettingsNow()
         self._looked_at = -LOOKED_S
+        self._not_before = -math.inf
+        self._undoes = False
+        """Whether what is staged brings back what a write replaced: then it is no step to undo itself."""
 
     def look(self) -> None:
         """Somebody looks at the table: read it on arrival, if it is old, and as soon as the dish rests."""
-        now = self._clock.monotonic()
-        arrived = now - self._looked_at > LOOKED_S
-        self._looked_at = now
-        state, shown = self._station.state, self.now
+        state, now = self._station.state, self._clock.monotonic()
+        if self._seen.is_another(state):
+            self.now = OwnSettingsNow()  # what was staged was meant for the one before
+        arrived, self._looked_at = now - self._looked_at > LOOKED_S, now
         has = state.dish is not None and state.dish.has_own_settings
-        old = shown.read_at is None or (arrived and now - shown.read_at > OLD_S)
-        if has and old and not shown.busy and not shown.wrong and not waits_for(state):
+        old = self.now.read_at is None or (arrived and now - self.now.read_at > OLD_S)
+        if has and old and not self.now.busy and now >= self._not_before and not waits_for(state):
             self.read()
 
-    def read(self) -> None:
-        """Read the whole table now."""
-        self._ask(ReadSettings(), "reading", self._have_table)
+    def read(self, then: Callable[[], object] | None = None) -> None:
+        """Read the whole table now, and then do something that goes by it."""
+
+        def have(table: object) -> None:
+            self._have_table(table)
+            if then is not None:
+                then()
+
+        self._ask(ReadSettings(), "reading", have)
 
     def stage(self, index: int, value: str | None) -> None:
         """Have a row written with the next write; None: not any more."""
         staged = {row: text for row, text in self.now.staged.items() if row != index}
+        self._undoes = False
         self._show(staged=staged if value is None else {**staged, index: value}, wrong="")
 
     def stage_all(self, values: Mapping[int, str]) -> None:
         """Have these rows written with the next write, and no others."""
+        self._undoes = False
         self._show(staged=dict(values), wrong="")
 
-    def write(self) -> None:
-        """Write what is staged into the dish's memory; a person was shown the differences, and agreed."""
+    def write(self, values: Mapping[int, str]) -> None:
+        """Write these into the dish's memory, and nothing else; a person was shown them, and agreed."""
         rows = {} if self.now.table is None else self.now.table.rows
-        self._write_next({index: rows[index].current for index in self.now.staged if index in rows})
+        wanted = {index: value for index, value in values.items() if index in rows}
+        self._write_next(wanted, {index: rows[index].current for index in wanted}, undoes=self._undoes)
 
-    def _write_next(self, before: Mapping[int, str]) -> None:
-        """Write some of what is staged; `before` is what all of it was."""
-        part = dict(list(self.now.staged.items())[:MOST_AT_ONCE])
-        self._ask(WriteSettings(part, YOU, agreed=True), "writing", partial(self._have_written, part, before))
+    def _write_next(self, values: Mapping[int, str], before: Mapping[int, str], *, undoes: bool) -> None:
+        """Write some of them, and then the rest; `before` is what they are now."""
+        part = dict(list(values.items())[:MOST_AT_ONCE])
+        rest = {index: value for index, value in values.items() if index not in part}
+
+        def have(written: object) -> None:
+            assert isinstance(written, SettingsWritten), "the station's promise"
+            left = {index: value for index, value in self.now.staged.items() if part.get(index) != value}
+            undo = self.now.undo if undoes else (*self.now.undo, {index: before[index] for index in part})
+            backup = written.backup or self.now.backup
+            self._show(table=written.table, read_at=self._clock.monotonic(), staged=left, backup=backup, undo=undo)
+            if rest:
+                self._write_next(rest, before, undoes=undoes)
+            else:
+                self._say(f"Written to the dish's memory. s saves it to flash. Backup: {backup}")
+
+        self._ask(WriteSettings(part, YOU, agreed=True), "writing", have)
 
     def save(self) -> None:
-        """Save all that the dish's memory holds to flash; a person was told that it needs a power cycle."""
-        self._ask(SaveSettings(YOU, agreed=True), "saving", self._have_saved)
+        """Save all that the dish's memory holds to flash; a person was shown what that is, and agreed."""
 
-    def _have_saved(self, table: object) -> None:
-        self._have_table(table)
-        self._say("Saved to flash. It counts from the next power cycle: switch the dish off and on.")
+        def have(table: object) -> None:
+            self._have_table(table)
+            self._say("Saved to flash. It counts from the next power cycle: switch the dish off and on.")
+
+        self._ask(SaveSettings(YOU, agreed=True), "saving", have)
 
     def undo(self) -> bool:
         """Drop what is staged; with nothing staged, stage the values from before the last write. False for neither."""
         if self.now.staged:
-            self._show(staged={}, wrong="")
+            self.stage_all({})
             return True
         if not self.now.undo:
             return False
         *earlier, last = self.now.undo
         self._show(staged=dict(last), undo=tuple(earlier), wrong="")
+        self._undoes = True
         return True
 
     def _have_table(self, table: object) -> None:
         assert isinstance(table, SettingsTable), "the station's promise"
-        self._show(table=table, read_at=self._clock.monotonic())
+        self._show(table=table, read_at=self._clock.monotonic(), unread="")
 
-    def _have_written(self, part: Mapping[int, str], before: Mapping[int, str], written: object) -> None:
-        assert isinstance(written, SettingsWritten), "the station's promise"
-        left = {index: value for index, value in self.now.staged.items() if part.get(index) != value}
-        self._show(table=written.table, read_at=self._clock.monotonic(), staged=left,
-                   backup=written.backup or self.now.backup)  # fmt: skip
-        if any(index in before for index in left):
-            self._write_next(before)
-        else:
-            self._show(undo=(*self.now.undo, before))
-            self._say(f"Written to the dish's memory. s saves it to flash. Backup: {self.now.backup}")
+    def back_up(self) -> None:
+        """Read the table anew, and write it to a file."""
+        self.read(self._keep)
 
-    def back_up(self) -> str:
-        """Write the table as it was read to a file, and return a sentence that says where. BirdcageError if not."""
-        facts, table = self._known()
-        if self._folder is None:
-            raise ConfigError("There is no folder for backups.")
-        utc = self._clock.utc()
-        path = backup_path(self._folder, facts.settings_name, facts.firmware, utc)
-        text = settings_text(facts.name, facts.firmware, utc, table.printed, demo=self._station.state.demo)
+    def _keep(self) -> None:
         try:
+            facts, table = self._known()
+            if self._folder is None:
+                raise ConfigError("There is no folder for backups.")
+            utc = self._clock.utc()
+            path = backup_path(self._folder, facts.settings_name, facts.firmware, utc)
+            text = settings_text(facts.name, facts.firmware, utc, table.printed, demo=self._station.state.demo)
             write_aside_and_rename(path, text.encode())
+        except BirdcageError as error:
+            self._say(str(error))
         except OSError as error:
-            raise StoreError(f"{path} can't be written: {error.strerror}.") from error
-        self._show(backup=str(path))
-        return f"Backup: {path}"
+            self._say(f"The backup can't be written: {error.strerror}.")
+        else:
+            self._say(f"Backup: {path}")
 
     def backups(self) -> list[Path]:
         """Return the files of backups, the newest first."""
@@ -141,7 +163,8 @@ class OwnSettingsFeed:
         new = restoring(dump, rows, table, facts.firmware, facts.settings_known, path.name)
         self.stage_all(new)
         if new:
-            return f"{len(new)} rows differ from {path.name}. w shows and writes them, then s saves."
+            differ = "1 row differs" if len(new) == 1 else f"{len(new)} rows differ"
+            return f"{differ} from {path.name}. w shows and writes them, then s saves."
         if table.unsaved:
             return f"The dish's memory holds {path.name}, its flash not yet. s saves it."
         return f"The dish holds what {path.name} holds."
@@ -174,26 +197,23 @@ class OwnSettingsFeed:
 
     def _ask(self, request: Request, busy: str, have: Callable[[object], None]) -> None:
         if self.now.busy:
+            self._say("The dish is still busy with its settings. Try again in a moment.")
             return
-        self._show(busy=busy, wrong="")
+        self._show(busy=busy, **({} if isinstance(request, ReadSettings) else {"wrong": ""}))
         future = self._station.submit(request)
         future.add_done_callback(lambda done: self._soon(partial(self._done, request, done, have)))
 
     def _done(self, request: Request, done: Future[object], have: Callable[[object], None]) -> None:
         self._show(busy="")
         error = None if done.cancelled() else done.exception()
-        if error is not None:
-            self._show(wrong=str(error))
-            if isinstance(request, WriteSettings | SaveSettings) and self._station.state.link.state is LinkPhase.UP:
-                self._ask(ReadSettings(), "reading", partial(self._have_table_after, str(error)))
-        elif not done.cancelled():
+        if error is None and not done.cancelled():
             have(done.result())
+        elif isinstance(request, ReadSettings):
+            self._not_before = self._clock.monotonic() + AGAIN_S
+            self._show(unread=str(error or ""))
+        else:  # what that has left is read as soon as it can be
+            self._show(wrong=str(error or ""), read_at=None)
         self._changed()
-
-    def _have_table_after(self, wrong: str, table: object) -> None:
-        """Show what a write that went wrong has left, and still why."""
-        self._have_table(table)
-        self._show(wrong=wrong)
 
     def _show(self, **changes: object) -> None:
         self.now = replace(self.now, **changes)  # type: ignore[arg-type]

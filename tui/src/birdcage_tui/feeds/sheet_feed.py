@@ -2,25 +2,38 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import Future
 from functools import partial
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, Value
 from birdcage.station.access import FaceStation
 from birdcage.station.requests import Read, Set
 
-from birdcage_tui.shown.system_sheet import OLD_S, FeatureChange, SheetNow, features_on, waits_for
+from birdcage_tui.feeds.dish_seen import DishSeen
+from birdcage_tui.shown.system_sheet import (
+    OLD_S,
+    FeatureChange,
+    SheetNow,
+    features_on,
+    waits_for,
+    words_of_value,
+)
 from birdcage_tui.shown.view import YOU
 
 LOOKED_S = 3.0
 """A page that was not drawn for so long is hidden: what has not been asked for by then is not."""
 SOON_LINES = 4
 """What takes more lines than this is read after the rest."""
+AGAIN_S = 3.0
+"""So long after a failure that is of the line, and of no feature, the same is asked for once more."""
+Chunk = tuple[tuple[str, ...], bool]
+"""Features that are asked for in one question, and whether a person has agreed to what that does."""
 
 
 class SheetFeed:
@@ -28,23 +41,27 @@ class SheetFeed:
 
     def __init__(
         self, station: FaceStation, clock: Clock, soon: Callable[[Callable[[], None]], object],
-        changed: Callable[[], object],
+        changed: Callable[[], object], say: Callable[[str], object],
     ) -> None:  # fmt: skip
+        """`say` hears what came of a value that was set."""
         self._station, self._clock, self._soon, self._changed = station, clock, soon, changed
+        self._say, self._seen = say, DishSeen()
         self._page: FeaturePage | None = None
         self._looked_at = -LOOKED_S
-        self._chunks: deque[tuple[str, ...]] = deque()
-        self._out: Future[object] | None = None
+        self._chunks: deque[Chunk] = deque()
+        self._out: Chunk | None = None
+        self._not_before = -math.inf
         self._failed: dict[str, str] = {}
         self._changes: list[FeatureChange] = []
+        self._sets = False
         self._answers: dict[str, Reading] = {}
 
     @property
     def now(self) -> SheetNow:
         """What there is to show."""
-        asked = frozenset(name for chunk in self._chunks for name in chunk)
+        asked = frozenset(name for ids, _ in (*self._chunks, *((self._out,) if self._out else ())) for name in ids)
         undo = self._changes[-1] if self._changes else None
-        return SheetNow(asked, self._failed, self._answers, undo)
+        return SheetNow(asked, dict(self._failed), dict(self._answers), undo)
 
     @property
     def is_settled(self) -> bool:
@@ -54,13 +71,16 @@ class SheetFeed:
     def look(self, page: FeaturePage | None) -> None:
         """Somebody looks at a tab, one without features for None: read what is not fresh on arrival there."""
         now = self._clock.monotonic()
+        if self._seen.is_another(self._station.state):
+            self._chunks.clear()
+            self._failed, self._changes, self._answers = {}, [], {}
         arrived = page is not self._page or now - self._looked_at > LOOKED_S
         self._page, self._looked_at = page, now
         if arrived:
             self._chunks.clear()
             self._ask_for(self._due(older_than_s=OLD_S))
-        elif self.is_settled and self._unread():
-            self._ask_for(self._unread())  # the machine was not known yet, or its line was down
+        elif self.is_settled and (unread := self._unread()):
+            self._ask_for(unread)  # the machine was not known yet, or its line was down
         self.go_on()
 
     def read_again(self) -> None:
@@ -73,39 +93,51 @@ class SheetFeed:
     def read(self, feature: Feature) -> None:
         """Read one feature now; a person has agreed to what that does (`Feature.read_hazard`)."""
         self._failed.pop(feature.id, None)
-        self._submit((feature.id,), agreed=True)
+        self._chunks.appendleft(((feature.id,), True))
+        self.go_on()
 
-    def set(self, feature: Feature, value: Value, *, undoing: bool = False) -> None:
+    def set(self, feature: Feature, value: Value) -> None:
         """Write a feature; a person was told its hazard, and agreed."""
         before = self._station.state.readings.get(feature.id)
-        change = FeatureChange(feature, None if before is None else before.value, value)
-        future = self._station.submit(Set(feature.id, value, YOU, agreed=True))
-        future.add_done_callback(lambda done: self._soon(partial(self._have_set, done, change, undoing)))
+        self._submit_set(FeatureChange(feature, None if before is None else before.value, value), undoes=None)
 
-    def undo(self) -> FeatureChange | None:
-        """Put back what was set last, and return what that was; None where there is nothing."""
-        change = self._changes[-1] if self._changes else None
-        if change is not None and change.before is not None:
-            self.set(change.feature, change.before, undoing=True)
-        return change
+    def undo(self, change: FeatureChange) -> None:
+        """Put back what was set last; a person was told its hazard, and agreed."""
+        if self._changes and self._changes[-1] is change and change.before is not None and not self._sets:
+            self._submit_set(FeatureChange(change.feature, change.after, change.before), undoes=change)
 
-    def _have_set(self, done: Future[object], change: FeatureChange, undoing: bool) -> None:
-        name = change.feature.id
+    def _submit_set(self, change: FeatureChange, *, undoes: FeatureChange | None) -> None:
+        if self._sets:
+            self._say("The dish is still setting the last value. Try again in a moment.")
+            return
+        self._sets = True
+        future = self._station.submit(Set(change.feature.id, change.after, YOU, agreed=True))
+        future.add_done_callback(lambda done: self._soon(partial(self._have_set, done, change, undoes)))
+
+    def _have_set(self, done: Future[object], change: FeatureChange, undoes: FeatureChange | None) -> None:
+        self._sets = False
+        feature = change.feature
         error = None if done.cancelled() else done.exception()
-        if error is None:
-            self._failed.pop(name, None)
-            answer = done.result()
-            if not change.feature.is_readable and change.feature.kind is FeatureKind.TEXT:
-                assert isinstance(answer, Reading), "the station's promise"
-                self._answers[name] = answer
-            if undoing:
-                self._changes.pop()
-            elif change.before is not None and change.feature.is_readable:
-                self._changes.append(change)
-            self._ask_for(self._told_with(change.feature))
-            self.go_on()
+        if done.cancelled() or error is not None:
+            self._say(f"{feature.label} was not set. {error or ''}".strip())
+            return
+        answer = done.result()
+        assert isinstance(answer, Reading), "the station's promise"
+        if undoes is not None:
+            if undoes in self._changes:
+                self._changes.remove(undoes)
+        elif change.before is not None and feature.is_readable:
+            self._changes.append(change)
+        if feature.kind is FeatureKind.MOMENTARY:
+            self._say(f"{feature.label}: done.")
+        elif not feature.is_readable:
+            self._answers[feature.id] = answer
+            self._say(f"{feature.label}: {answer.value}")
         else:
-            self._failed[name] = str(error)
+            back = "" if undoes is not None or change.before is None else " u puts back the value from before."
+            self._say(f"{feature.label}: {words_of_value(feature, answer.value)}.{back}")
+        self._ask_for(self._told_with(feature))
+        self.go_on()
         self._changed()
 
     def _told_with(self, feature: Feature) -> list[Feature]:
@@ -138,38 +170,46 @@ class SheetFeed:
             some = [each for each in wanted if (each.cost.lines <= SOON_LINES) is cheap]
             some.sort(key=lambda each: (each.cost.menu or "", each.id in self._station.state.readings))
             if some:
-                self._chunks.append(tuple(each.id for each in some))
+                self._chunks.append((tuple(each.id for each in some), False))
 
     def go_on(self) -> None:
         """Ask for the next, if the page is still seen and the machine may be asked."""
-        if self._out is not None or not self._chunks:
+        now = self._clock.monotonic()
+        if self._out is not None or not self._chunks or now < self._not_before:
             return
-        if self._clock.monotonic() - self._looked_at > LOOKED_S:
+        if now - self._looked_at > LOOKED_S:
             self._chunks.clear()
         elif not waits_for(self._station.state):
-            self._submit(self._chunks.popleft(), agreed=False)
+            self._out = ids, agreed = self._chunks.popleft()
+            future = self._station.submit(Read(ids, agreed=agreed))
+            future.add_done_callback(lambda done: self._soon(partial(self._have_read, done, (ids, agreed))))
 
-    def _submit(self, ids: tuple[str, ...], *, agreed: bool) -> None:
-        self._out = self._station.submit(Read(ids, agreed=agreed))
-        self._out.add_done_callback(lambda done: self._soon(partial(self._have_read, done, ids)))
-
-    def _have_read(self, done: Future[object], ids: tuple[str, ...]) -> None:
+    def _have_read(self, done: Future[object], chunk: Chunk) -> None:
         self._out = None
+        ids, agreed = chunk
         error = None if done.cancelled() else done.exception()
-        if isinstance(error, BirdcageError) and error.reason is Reason.MOVING:
-            self._chunks.appendleft(ids)
-        elif error is not None and len(ids) > 1:  # one of them is to blame: the others are told apart from it
+        if error is None and not done.cancelled():
+            told = done.result()
+            assert isinstance(told, Mapping), "the station's promise"
+            for each in ids:
+                self._failed.pop(each, None)
+                if each not in told:
+                    self._failed[each] = "The dish did not tell it."
+        elif not _is_of_a_feature(error):
+            self._chunks.appendleft(chunk)
+            self._not_before = self._clock.monotonic() + AGAIN_S
+        elif len(ids) > 1:  # one of them is to blame: the others are told apart from it
             half = len(ids) // 2
-            self._chunks.extendleft((ids[half:], ids[:half]))
-            self.go_on()
-        elif error is not None:
-            self._failed[ids[0]] = str(error)
-            self.go_on()
+            self._chunks.extendleft(((ids[half:], agreed), (ids[:half], agreed)))
         else:
-            readings = self._station.state.readings
-            self._failed |= {each: "The dish did not tell it." for each in ids if each not in readings}
-            self.go_on()
+            self._failed[ids[0]] = str(error)
+        self.go_on()
         self._changed()
+
+
+def _is_of_a_feature(error: BaseException | None) -> bool:
+    """Return whether a question failed because of what it asked for, and not of the line or of who has control."""
+    return isinstance(error, CommandRefused) or (isinstance(error, NoReply) and error.reason is Reason.GARBAGE)
 
 
 def _is_read_unasked(feature: Feature) -> bool:

@@ -20,7 +20,7 @@ class SystemFeeds:
         self, station: FaceStation, clock: Clock, soon: Callable[[Callable[[], None]], object],
         changed: Callable[[], None], say: Callable[[str], object], *, backups: Path | None, journal: Path | None,
     ) -> None:  # fmt: skip
-        self.sheets = SheetFeed(station, clock, soon, changed)
+        self.sheets = SheetFeed(station, clock, soon, changed, say)
         """What the dish tells, and lets be set."""
         self.own_settings = OwnSettingsFeed(station, clock, soon, changed, say, backups)
         """The settings that the dish keeps itself."""

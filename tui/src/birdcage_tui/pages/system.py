@@ -57,7 +57,8 @@ class SystemPage(Page):
     SystemPage #system-figures Pane { height: 1fr; width: 1fr; }
     SystemPage #system-figures LinkFiguresPane { width: 1.25fr; }
     SystemPage FilterBox { height: 1fr; width: 1fr; }
-    SystemPage FilterBox Input { height: 1; border: none; }
+    SystemPage FilterBox Input, SystemPage FilterBox Input:focus { height: 1; border: none; padding: 0 1;
+        background: $panel; }
     SystemPage CursorPane { height: 1fr; width: 1fr; border: round $line; border-title-color: $dim;
         border-title-style: none; border-subtitle-color: $dim; }
     SystemPage CursorPane:focus { border: round $focus; }
@@ -141,11 +142,17 @@ class SystemPage(Page):
     def do(self, command: str) -> bool:
         """Carry out a command of the page."""
         scope, _, name = command.partition("-")
+        owner = "motors" if command == "sheet-test" else {"settings": "settings", "health": "health"}.get(scope)
+        if owner not in (None, self.tab):  # chosen by its name, from another tab
+            self._show_tab(str(owner))
         now = self.list
         if scope == "system" and name in TABS:
             self._show_tab(name)
         elif command == "system-read":
-            if isinstance(now, OwnSettingsPane):
+            feature = now.chosen(self.host.view()) if isinstance(now, SheetPane) else None
+            if feature is not None and feature.read_hazard:
+                self._sheets.ask_to_read(feature)
+            elif isinstance(now, OwnSettingsPane):
                 self.host.system.own_settings.read()
             elif isinstance(now, FindingsPane):
                 self.host.system.health.read()
@@ -154,8 +161,10 @@ class SystemPage(Page):
             self.host.paint()
         elif command == "settings-filter":
             self.query_one(FilterBox).open_filter()
-        elif scope == "sheet" and isinstance(now, SheetPane):
-            return self._sheets.do(name, now)
+        elif scope == "sheet":
+            if isinstance(now, SheetPane):
+                return self._sheets.do(name, now)
+            self.host.say("Select a value first: b hardware, m motors, d DVB.")
         elif scope == "health" and isinstance(now, FindingsPane):
             return self._health.do(name, now)
         elif scope == "settings" and isinstance(now, OwnSettingsPane):

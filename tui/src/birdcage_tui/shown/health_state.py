@@ -20,4 +20,4 @@ class HealthNow:
     motor_tests: tuple[MotorTest, ...] = ()
     """The newest test of each axis."""
     problem: str = ""
-    """Why it can't be read, or the last acknowledgement not be kept, as a sentence."""
+    """Why it can't be read, as a sentence."""

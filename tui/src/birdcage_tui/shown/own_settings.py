@@ -23,8 +23,10 @@ class OwnSettingsNow:
     """What is being done, in a word or two; empty while nothing is."""
     wrong: str = ""
     """Why the last deed was not done, as a sentence."""
+    unread: str = ""
+    """Why the table could not be read, as a sentence."""
     backup: str = ""
-    """The path of the last backup of this run."""
+    """The path of the backup that the first write of this run has made."""
     undo: Sequence[Mapping[int, str]] = ()
     """Values from before each write of this run, the newest last."""
 

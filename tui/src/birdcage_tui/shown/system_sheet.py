@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import SETTINGS, Feature, FeatureKind, FeaturePage, Reading, Value
+from birdcage.station.raw import CONSOLE, OTHER_CONSOLE
 from birdcage.station.state import MOVING, LinkPhase, StationState
 
 if TYPE_CHECKING:
@@ -94,6 +95,8 @@ def waits_for(state: StationState) -> str:
         return "The dish does not answer."
     if state.motion is not None or state.activity in MOVING or state.raw_motion:
         return "Nothing is read while the dish moves."
+    if state.holder in (CONSOLE, OTHER_CONSOLE):
+        return "A person has the console, so nothing else is asked."
     return ""
 
 
@@ -173,6 +176,13 @@ def value_words(feature: Feature, reading: Reading, *, with_unit: bool = True) -
         return f"{len(lines)} lines" if feature.kind is FeatureKind.LINES and len(lines) != 1 else value.strip()
     number = number_words(value)
     return f"{number} {reading.unit}".strip() if with_unit else number
+
+
+def words_of_value(feature: Feature, value: Value) -> str:
+    """Return a value that is about to be set, as a person reads it, with its unit."""
+    if isinstance(value, bool):
+        return "on" if value else "off"
+    return value if isinstance(value, str) else f"{number_words(value)} {feature.unit}".strip()
 
 
 def number_words(value: float) -> str:

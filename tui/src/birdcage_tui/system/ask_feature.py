@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from birdcage.base.errors import OutOfRange
-from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
+from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value, Writer
 from textual.app import ComposeResult
 from textual.containers import Vertical, VerticalScroll
+from textual.markup import escape
 from textual.widgets import Static
 
-from birdcage_tui.shown.system_sheet import cell_text, may_be_set_words
+from birdcage_tui.shown.system_sheet import cell_text, may_be_set_words, words_of_value
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import Detail
 from birdcage_tui.widgets.dialogs import Dialog, QuestionScreen
@@ -16,6 +17,13 @@ from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 from birdcage_tui.widgets.status import TopRow
 
 DETAIL_WIDTH = 70
+HOLDS = {
+    Writer.NONE: "",
+    Writer.UNTIL_RESTART: "Takes effect at once, until the dish restarts.",
+    Writer.FROM_POWER_UP: "It is saved, and takes effect at the next power-up.",
+    Writer.AT_ONCE: "Done at once.",
+}
+"""How long a new value holds."""
 
 
 def read_value(feature: Feature, text: str) -> Value:
@@ -65,20 +73,14 @@ def new_value(feature: Feature, view: View) -> bool:
 
 def set_question(feature: Feature, value: Value, view: View, said: str = "") -> QuestionScreen:
     """Return the question before anything is sent: old and new value, how long it holds, hazard."""
-    shown = _words(feature, value)
+    shown = words_of_value(feature, value)
     if feature.kind is FeatureKind.MOMENTARY:
         return QuestionScreen(feature.label, f"{feature.hazard}\n\n{feature.note}".strip(), "do it")
     old = cell_text(feature, view.state.readings, view.now).value
     change = f"{old}  →  {shown}" if feature.is_readable else shown
-    holds = f"Holds: {feature.writer.value}."
+    holds = HOLDS[feature.writer]
     words = "\n\n".join(each for each in (change, said, holds, feature.hazard) if each)
     return QuestionScreen(feature.label, words, f"set {shown}")
-
-
-def _words(feature: Feature, value: Value) -> str:
-    if isinstance(value, bool):
-        return "on" if value else "off"
-    return f"{value} {feature.unit}".strip() if isinstance(value, str) else f"{value:g} {feature.unit}".strip()
 
 
 class LinesScreen(Dialog[None]):
@@ -95,7 +97,7 @@ class LinesScreen(Dialog[None]):
         """The lines, as printed."""
         yield TopRow()
         with Vertical() as frame:
-            frame.border_title = self._title
+            frame.border_title = escape(self._title)
             with VerticalScroll():
                 yield Static(self._lines, markup=False)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from textual.markup import escape
+
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import CursorPane
@@ -13,6 +15,7 @@ class DetailPane(Pane):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__(id=id)
+        self._title = ""
         self.list: CursorPane | None = None
         """Whose cursor it follows."""
 
@@ -20,8 +23,8 @@ class DetailPane(Pane):
         """Write as much as there is room for."""
         detail = None if self.list is None else self.list.detail(view, cells.width - 2)
         title = "" if detail is None else detail.title
-        if (self.border_title or "") != title:
-            self.border_title = title
+        if self._title != title:
+            self._title, self.border_title = title, escape(title)
         if detail is None:
             return
         lines, room = detail.lines, cells.height

@@ -28,6 +28,18 @@ class FindingsPane(CursorPane):
 
     def __init__(self, *, id: str | None = None) -> None:  # noqa: A002
         super().__init__("system-health", id=id)
+        self._chosen = ""
+        """The id of the finding under the cursor: a new one may come before it."""
+
+    def move(self, by: int) -> None:
+        """Move the cursor by rows."""
+        self._chosen = ""
+        super().move(by)
+
+    def choose(self, row: int, value: int) -> None:
+        """Put the cursor on a row."""
+        self._chosen = ""
+        super().choose(row, value)
 
     def findings(self, view: View) -> tuple[Finding, ...]:
         """Return what was found."""
@@ -41,7 +53,12 @@ class FindingsPane(CursorPane):
     def chosen(self, view: View) -> Finding | None:
         """Return the finding under the cursor; None where there is none."""
         found = self.findings(view)
-        return found[min(self.at, len(found) - 1)] if found else None
+        if not found:
+            return None
+        ids = [each.id for each in found]
+        self.at = ids.index(self._chosen) if self._chosen in ids else min(self.at, len(found) - 1)
+        self._chosen = ids[self.at]
+        return found[self.at]
 
     def draw(self, cells: Cells, view: View) -> None:
         """Write each in two lines at most."""
@@ -50,13 +67,17 @@ class FindingsPane(CursorPane):
         if now.health is None or not found:
             self._none(cells, view)
             return
-        self.at = min(self.at, len(found) - 1)
+        self.chosen(view)
+        problem = wrap(f"▲ {now.problem}", max(cells.width - 2, 10), most=3) if now.problem else []
+        for y, line in enumerate(problem, cells.height - len(problem)):
+            cells.put(1, y, line, "warn")
+        room = cells.height - len(problem)
         width = max(cells.width - TEXT - 1, 10)
         texts = [wrap(each.text, width, most=2) for each in found]
         lines = [(number, index) for number, text in enumerate(texts) for index in range(len(text))]
         here = next(at for at, (number, _) in enumerate(lines) if number == self.at)
-        top = self.scroll(here, len(lines), cells.height)
-        for y, (number, index) in enumerate(lines[top : top + cells.height]):
+        top = self.scroll(here, len(lines), room)
+        for y, (number, index) in enumerate(lines[top : top + room]):
             mark, ink = MARKS[found[number].weight]
             lit = number == self.at and self.has_focus
             if lit:

@@ -67,7 +67,7 @@ class OwnSettingsPane(CursorPane):
         cells.put(2, 0, f"{'row':>{NUMBER - 2}}  {'name':<{name}}", "dim")
         for index, word in enumerate(("current", "saved", "default")):
             cells.right(2 + NUMBER + name + VALUE * (index + 1), 0, word, "dim")
-        room = y - 1
+        room = max(y - 1, 1)
         top = self.scroll(self.at, len(lines), room)
         for number, line in enumerate(lines[top : top + room], top):
             self._row(cells, 1 + number - top, line, number == self.at, name)
@@ -95,8 +95,8 @@ class OwnSettingsPane(CursorPane):
         now, lines = view.own_settings, list[Line]()
         width = max(cells.width - 2, 10)
         unfinished = None if now.table is None else now.table.unfinished
-        if now.wrong:
-            lines += [("warn", line) for line in wrap(f"▲ {now.wrong}", width, most=4)]
+        if (wrong := now.wrong or (now.unread if now.table is not None else "")) and not now.busy:
+            lines += [("warn", line) for line in wrap(f"▲ {wrong}", width, most=4)]
         if (
             unfinished is not None and unfinished.backup != now.backup
         ):  # what this app has just written it shows as such
@@ -130,7 +130,7 @@ class OwnSettingsPane(CursorPane):
         if not dish.has_own_settings:
             return f"The {dish.name} has no settings that can be read."
         if now.table is None:
-            return "Reading the settings …" if now.busy else now.wrong or waits_for(view.state) or NOT_READ
+            return "Reading the settings …" if now.busy else now.unread or waits_for(view.state) or NOT_READ
         if self.filter:
             return f'No row matches "{self.filter}". / changes the filter.'
         return "No row differs from the factory's value. o shows all."

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from birdcage.base.errors import BirdcageError, OutOfRange
 from birdcage.rotator.setting_values import danger_of, given_value
+from textual.markup import escape
 
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.own_settings import SettingLine, differences
@@ -21,8 +22,8 @@ if TYPE_CHECKING:
     from birdcage_tui.feeds.own_settings_feed import OwnSettingsFeed
     from birdcage_tui.widgets.page import Page
 
-MOST_LISTED = 12
-"""Rows of a difference that a question names; the rest is counted."""
+JUST_S = 5.0
+"""A table that is younger is as good as one that is read now."""
 KEEPS = (
     "This saves all that the dish's memory holds in its flash. It counts from the next power cycle: switch the dish "
     "off and on."
@@ -62,7 +63,7 @@ class SettingsHands:
             case "undo":
                 self._undo()
             case "backup":
-                self._tell(self._feed.back_up)
+                self._feed.back_up()
             case "restore":
                 self._choose("Restore from", self._restore)
             case "compare":
@@ -90,8 +91,10 @@ class SettingsHands:
         if values is None:
             return
         value = given_value(line.row, line.known, values[0])
-        self._feed.stage(line.row.index, None if value == line.row.current else value)
-        self._page.host.say("Not written yet. w shows the changes and writes them.")
+        same = value == line.row.current
+        self._feed.stage(line.row.index, None if same else value)
+        told = "The row has this value already." if same else "Not written yet. w shows the changes and writes them."
+        self._page.host.say(told)
 
     def _drop(self, pane: OwnSettingsPane) -> None:
         line = pane.chosen(self._page.host.view())
@@ -107,11 +110,9 @@ class SettingsHands:
             self._page.host.say("Nothing to write. e edits a row.")
             return
         known, lines, dangers = known_rows(view), list[str](), list[str]()
-        for row, value in changes[:MOST_LISTED]:
+        for row, value in changes:
             unit = "" if (told := known.get(row.index)) is None or not told.unit else f" {told.unit}"
             lines.append(f"{row.index:>3}  {row.name}:  {row.current}  →  {value}{unit}")
-        if len(changes) > MOST_LISTED:
-            lines.append(f"… and {len(changes) - MOST_LISTED} more")
         for row, _ in changes:
             if (danger := danger_of(known.get(row.index))) and danger not in dangers:
                 dangers.append(danger)
@@ -119,12 +120,28 @@ class SettingsHands:
         words = "\n".join(lines) + f"\n\n{backup}This changes the dish's memory. s saves it to flash."
         words += "".join(f"\n\n▲ {danger}" for danger in dangers)
         question = QuestionScreen("Write settings", words, f"write {_counted(len(changes), 'row')}")
-        self._page.app.push_screen(question, lambda yes: self._feed.write() if yes else None)
+        shown = {row.index: value for row, value in changes}
+        self._page.app.push_screen(question, lambda yes: self._feed.write(shown) if yes else None)
 
     def _save(self) -> None:
+        """Ask about what flash and memory hold now: read that, where it was not just read."""
+        view = self._page.host.view()
+        read_at = view.own_settings.read_at
+        if read_at is not None and view.now - read_at < JUST_S:
+            self._ask_to_save()
+        else:
+            self._feed.read(self._ask_to_save)
+
+    def _ask_to_save(self) -> None:
         now = self._page.host.view().own_settings
+        if len(self._page.app.screen_stack) > 1 or not self._page.display:
+            return  # somebody went on to something else meanwhile
+        rows = () if now.table is None else tuple(now.table.rows.values())
         unsaved = () if now.table is None else now.table.unsaved
-        lines = [f"{row.index:>3}  {row.name}:  {row.saved}  →  {row.current}" for row in unsaved[:MOST_LISTED]]
+        if not unsaved and all(row.saved is not None for row in rows):
+            self._page.host.say("Nothing to save: flash holds what the memory holds.")
+            return
+        lines = [f"{row.index:>3}  {row.name}:  {row.saved}  →  {row.current}" for row in unsaved]
         staged = f"\n\n{_counted(len(now.staged), 'edit')} not written yet: not saved with it." if now.staged else ""
         words = "\n".join(lines) + ("\n\n" if lines else "") + KEEPS + staged
         question = QuestionScreen("Save to flash", words, "save")
@@ -182,7 +199,7 @@ def _field(line: SettingLine) -> FieldsScreen:
 
     field = FieldRow(unit or "value", line.staged or "", limits or f"now {row.current}")
     enter = "Enter marks it to be written"
-    return FieldsScreen(f"Row {row.index}: {row.name}", words, (field,), wrong, enter=enter)
+    return FieldsScreen(escape(f"Row {row.index}: {row.name}"), words, (field,), wrong, enter=enter)
 
 
 def _counted(number: int, word: str) -> str:

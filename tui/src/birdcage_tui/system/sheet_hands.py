@@ -8,7 +8,6 @@ from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
 from birdcage.station.requests import BeginTask
 
 from birdcage_tui.shown.allowed import can_release
-from birdcage_tui.shown.system_sheet import cell_text
 from birdcage_tui.shown.view import YOU
 from birdcage_tui.system.ask_feature import (
     DETAIL_WIDTH,
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
     from birdcage_tui.feeds.sheet_feed import SheetFeed
     from birdcage_tui.widgets.page import Page
 
+PUTS_BACK = "This puts back what was set last."
 TEST = (
     "The azimuth and then the elevation turn up to 60° to and fro, three times, at full speed, and then back. "
     "Where the azimuth has no room, it first turns to a place that has. Keep the whole swing of the dish clear."
@@ -72,11 +72,15 @@ class SheetHands:
         if feature is None:
             return
         if feature.read_hazard and feature.id not in view.state.readings:
-            question = QuestionScreen(feature.label, feature.read_hazard, "read it")
-            self._page.app.push_screen(question, lambda yes: self._feed.read(feature) if yes else None)
+            self.ask_to_read(feature)
             return
         if (detail := sheet.detail(view, DETAIL_WIDTH)) is not None:
             self._page.app.push_screen(lines_screen(detail))
+
+    def ask_to_read(self, feature: Feature) -> None:
+        """Read what switches something, or takes long, once a person has agreed."""
+        question = QuestionScreen(feature.label, feature.read_hazard, "read it")
+        self._page.app.push_screen(question, lambda yes: self._feed.read(feature) if yes else None)
 
     def _set(self, sheet: SheetPane) -> None:
         view = self._page.host.view()
@@ -98,8 +102,6 @@ class SheetHands:
         def answered(yes: bool | None) -> None:
             if yes:
                 self._feed.set(feature, value)
-                undo = " u puts it back." if feature.is_readable else ""
-                self._page.host.say(f"{feature.label}: sent.{undo}")
 
         said = _coax_words(value) if feature.id == DISEQC else ""
         self._page.app.push_screen(set_question(feature, value, self._page.host.view(), said), answered)
@@ -115,13 +117,14 @@ class SheetHands:
         self._page.app.push_screen(QuestionScreen("Motor test", TEST, "area is clear: begin"), answered)
 
     def _undo(self) -> None:
-        change = self._feed.undo()
+        change = self._feed.now.undo
         if change is None or change.before is None:
             self._page.host.say("Nothing was set here that can be put back.")
             return
-        view = self._page.host.view()
-        now = cell_text(change.feature, view.state.readings, view.now).value
-        self._page.host.say(f"Putting {change.feature.label} back from {now}.")
+        question = set_question(
+            change.feature, change.before, self._page.host.view(), "This puts back what was set last."
+        )
+        self._page.app.push_screen(question, lambda yes: self._feed.undo(change) if yes else None)
 
 
 def _coax_words(value: Value) -> str:
