@@ -24,7 +24,7 @@ from birdcage.skymap.map_file import read_map
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.map_book import MapRead
-from birdcage_tui.shown.system_sheet import sheet_rows
+from birdcage_tui.shown.system_sheet import FeatureChange, sheet_rows
 
 from tests.signal.test_recording import recorded, row
 
@@ -150,13 +150,14 @@ PLACES = (
     _dialog("new value", "SheetHands._set", "f4", "m", *_down_to(FeaturePage.MOTORS, "speed.azimuth"), "e", **FIELDS),
     _dialog("set a value", "SheetHands._ask", "f4", "d", *_down_to(FeaturePage.RECEIVER, "enable_lna"), "e"),
     _dialog("test the motors", "SheetHands._test", "f4", "m", "t"),
-    _dialog("read what switches something", "SheetHands._open", "f4", "d",
+    _dialog("put a value back", "SheetHands._undo", "f4", "m", "u"),
+    _dialog("read what switches something", "SheetHands.ask_to_read", "f4", "d",
             *_down_to(FeaturePage.RECEIVER, "even_level"), "enter"),
     _dialog("all of a setting", "SettingsHands._open", "f4", "n", "enter", dialog="LinesScreen",
             holds="LinesScreen/VerticalScroll"),
     _dialog("edit a setting", "SettingsHands._edit", "f4", "n", "e", **FIELDS),
     _dialog("write settings", "SettingsHands._write", "f4", "n", "w"),
-    _dialog("save settings", "SettingsHands._save", "f4", "n", "s"),
+    _dialog("save settings", "SettingsHands._ask_to_save", "f4", "n", "s"),
     _dialog("restore settings", "SettingsHands._choose", "f4", "n", "R", dialog="ChoiceScreen",
             holds="ChoiceScreen/OptionList"),
     _dialog("compare settings", "SettingsHands._compare", "f4", "n", "c", "enter", dialog="LinesScreen",
@@ -220,6 +221,9 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             recordings_file=recordings_in(folder) if "R" in place.keys else None,
             lessons=lessons_stand_in.Lessons(), backups_folder=backups_in(folder), **settings,
         )  # fmt: skip
+        if place.keys == ("f4", "m", "u"):
+            app.system.sheets.look(None)  # it has met this dish
+            app.system.sheets._changes = [FeatureChange(CARRYOUT_G2.features["speed.azimuth"], 65.0, 20.0)]
         if place.keys == ("f4", "enter"):
             app.system.health.now = health_stand_in.NOW
         if place.keys[:2] == ("f4", "n"):
