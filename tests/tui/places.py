@@ -58,9 +58,9 @@ def _dialog(name: str, asked_by: str, *keys: str, dialog: str = "QuestionScreen"
 
 
 def _down_to(page: FeaturePage, feature: str) -> tuple[str, ...]:
-    """Return the keys from the first row of a tab of F4 to that of a feature."""
+    """Return the keys to the first row of a tab of F4, and from there to that of a feature."""
     rows = sheet_rows(CARRYOUT_G2, page)
-    return ("down",) * next(number for number, row in enumerate(rows) if row.cells[0].id == feature)
+    return ("pageup",) * 4 + ("down",) * next(number for number, row in enumerate(rows) if row.cells[0].id == feature)
 
 
 HANDS = "ControlPage/RosePane ControlPage/DigitsPane"
@@ -221,13 +221,6 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             recordings_file=recordings_in(folder) if "R" in place.keys else None,
             lessons=lessons_stand_in.Lessons(), backups_folder=backups_in(folder), **settings,
         )  # fmt: skip
-        if place.keys == ("f4", "m", "u"):
-            app.system.sheets.look(None)  # it has met this dish
-            app.system.sheets._changes = [FeatureChange(CARRYOUT_G2.features["speed.azimuth"], 65.0, 20.0)]
-        if place.keys == ("f4", "enter"):
-            app.system.health.now = health_stand_in.NOW
-        if place.keys[:2] == ("f4", "n"):
-            app.system.own_settings.now = settings_stand_in.table_of(app, staged={38: "600"})
         if {("f3", "i"), ("f3", "u"), ("f3", "M"), ("f3", "y"), ("m",)} & {place.keys[:2]}:
             open_map(app, folder)
         app.track._make = track_stand_in.Source(track_stand_in.desk_in(place.track, app.session.clock))
@@ -240,10 +233,23 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
         app.push_screen = push_screen
         async with app.run_test(size=size or place.size) as pilot:
             await settle(app, pilot)
+            if place.keys[:1] == ("f4",):
+                fill_system(app)
             await press(app, pilot, *place.keys)
             return await test(app, pilot, asked[-1] if asked else "")
 
     return asyncio.run(body())
+
+
+def fill_system(app):
+    """Give the System page something to show and to undo, once it has met the dish of this state."""
+    feeds = app.system
+    feeds.sheets.look(None)
+    feeds.sheets._changes = [FeatureChange(CARRYOUT_G2.features["speed.azimuth"], 65.0, 20.0)]
+    feeds.own_settings.look()
+    feeds.own_settings.now = settings_stand_in.table_of(app, staged={38: "600"})
+    feeds.health.look()
+    feeds.health.now = health_stand_in.NOW
 
 
 def backups_in(folder):

@@ -69,7 +69,7 @@ def test_control_and_passes_fill_a_tall_terminal_with_what_comes_next():
 
 
 def test_a_page_that_is_to_come_says_what_to_use_until_then():
-    for key in ("f4", "f6", "f10"):
+    for key in ("f6", "f10"):
         text = flat(run(read, "idle", (240, 70), key=key))
         assert "Until then:" in text, text
 

@@ -17,7 +17,7 @@ import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.raw import CONSOLE
-from places import PLACES, open_map, press, recordings_in, settle
+from places import PLACES, backups_in, fill_system, open_map, press, recordings_in, settle
 from said import Said
 
 SMALL, LARGE = (80, 24), (160, 48)
@@ -42,7 +42,7 @@ def app_of(folder, place=None, state="idle"):
         state, setup=setup_stand_in.ENGINES[place.engine if place else "home"], presets_file=presets,
         history_file=folder / "history", sky=sky_stand_in.make(), horizon=horizon_stand_in.File(),
         keep_place=lambda *_place: None, calibrate=calibrate_stand_in.make(place.calibrate if place else "five"),
-        recordings_file=recordings_in(folder), lessons=lessons_stand_in.Lessons(),
+        recordings_file=recordings_in(folder), lessons=lessons_stand_in.Lessons(), backups_folder=backups_in(folder),
     )  # fmt: skip
     open_map(app, folder)
     app.track._make = track_stand_in.Source(
@@ -87,10 +87,12 @@ def test_in_every_place(size, said, tmp_path):
                 said.begin(place.name)
                 app.station.state = replace(begun, **place.state)
                 await settle(app, pilot)
+                if place.keys[:1] == ("f4",):
+                    fill_system(app)
                 await press(app, pilot, *place.keys)
                 assert not place.dialog or type(app.screen).__name__ == place.dialog, place.name
                 said.read(app)
-                await leave(app, pilot, *(["b"] if place.keys[:1] == ("f2",) else []))
+                await leave(app, pilot, *{"f2": ["b"], "f4": ["h"]}.get(place.keys[0] if place.keys else "", []))
 
         play(app, POCKET if kind[-1] else size, visit)
     said.check()

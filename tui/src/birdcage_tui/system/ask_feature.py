@@ -86,7 +86,7 @@ def set_question(feature: Feature, value: Value, view: View, said: str = "") -> 
 class LinesScreen(Dialog[None]):
     """All that there is to say of a value; the arrows scroll."""
 
-    KEYS = "↑ ↓ scroll"
+    KEYS, OTHER = "↑ ↓ scroll", "q closes"
     BINDINGS = [("escape,q,enter", "leave", "close")]  # noqa: RUF012
 
     def __init__(self, title: str, lines: str) -> None:
