@@ -275,6 +275,13 @@ async def test_the_first_visit_costs_little_more_than_its_lines():
         assert len(sent) <= 1.2 * len(least), sent
 
 
+def choose(house, tab, feature):
+    """Put the cursor on a feature."""
+    pane = house.app.query_one(f"#system-{tab}")
+    rows = pane.rows(house.app.view())
+    pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == feature)
+
+
 async def set_value(house, text):
     from textual.widgets import Input
 
@@ -290,9 +297,7 @@ async def test_a_speed_is_set_after_a_question_that_names_old_and_new_and_u_puts
     house = House()
     async with house.app.run_test(size=(120, 36)) as house.pilot:
         await on_tab(house, "m")
-        pane = house.app.query_one("#system-motors")
-        rows = pane.rows(house.app.view())
-        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "speed.azimuth")
+        choose(house, "motors", "speed.azimuth")
         await set_value(house, "20")
         asked = house.text()
         assert re.search(r"64\.99\d* deg/s +→ +20 deg/s", asked)
@@ -316,9 +321,7 @@ async def test_a_value_beyond_its_range_is_refused_in_the_field_and_sends_nothin
     house = House()
     async with house.app.run_test(size=(120, 36)) as house.pilot:
         await on_tab(house, "m")
-        pane = house.app.query_one("#system-motors")
-        rows = pane.rows(house.app.view())
-        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "speed.azimuth")
+        choose(house, "motors", "speed.azimuth")
         await set_value(house, "400")
         assert "335 deg/s beyond its limit of 65 deg/s" in " ".join(re.findall(r"[^│\s]+", house.text()))
         assert house.app.station.state.readings["speed.azimuth"].value == pytest.approx(65.0, abs=0.02)
@@ -329,9 +332,7 @@ async def test_a_message_on_the_coax_is_explained_before_it_is_sent_and_its_answ
     house = House("g2?seed=1&switch_port=1")
     async with house.app.run_test(size=(120, 36)) as house.pilot:
         await on_tab(house, "d")
-        pane = house.app.query_one("#system-receiver")
-        rows = pane.rows(house.app.view())
-        pane.at = next(number for number, row in enumerate(rows) if row.cells[0].id == "diseqc")
+        choose(house, "receiver", "diseqc")
         await set_value(house, "E0 10 zz")
         assert "is no byte in hex" in " ".join(re.findall(r"[^│\s]+", house.text()))
         await press(house, "escape")

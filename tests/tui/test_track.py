@@ -11,7 +11,7 @@ import stand_in
 import track_stand_in
 from birdcage.sky.reach_model import LossReason, Lost, PassReach
 from birdcage.station.requests import Release
-from birdcage_tui.control.tabs import TABS, TabRow
+from birdcage_tui.control.tabbing import TABS
 from birdcage_tui.track.found import FoundList
 from birdcage_tui.track.head import TrackHead
 from birdcage_tui.track.now import TrackNow
@@ -21,6 +21,7 @@ from birdcage_tui.track.plot import TrackSky
 from birdcage_tui.track.radio import RadioPane
 from birdcage_tui.track.schedule import SchedulePane
 from birdcage_tui.track.strips import TrackStrips
+from birdcage_tui.widgets.tab_row import TabRow
 from textual.widgets import Input
 from track_stage import SIZES, read, run, run_each
 

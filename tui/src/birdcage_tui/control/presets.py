@@ -211,7 +211,8 @@ class PresetsBox(FilterBox):
         hints = ("part of a name; Enter applies it", "name; Enter applies")
         super().__init__(PresetsPane(id="presets"), *hints, field_id="preset-filter", id=id)
 
-    def leave(self) -> None:
+    def leave_list(self) -> bool:
         """Go back to the rose."""
         self.query_ancestor(Page).do("tab-manual")  # from the tab of the presets
         self.screen.set_focus(self.screen.query_one("#rose"))
+        return True

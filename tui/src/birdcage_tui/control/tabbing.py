@@ -7,10 +7,11 @@ from typing import Protocol, cast
 from textual.widget import Widget
 
 from birdcage_tui.commands.control import PAGE as CONTROL
-from birdcage_tui.control.tabs import TABS, TabRow
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.page import Page
+from birdcage_tui.widgets.tab_row import TabRow
 
+TABS = ("manual", "presets", "craft", "network")
 FOCUS = {"manual": "#rose", "presets": "#presets"}
 LATER = ("craft", "network")
 """Tabs that are made on their first visit. They have commands of their own: the arrows step the dish by hand only."""

@@ -87,19 +87,14 @@ class HealthFeed:
 
         table = self._settings()
         unsaved = () if table is None else tuple(f"row {row.index} ({row.name})" for row in table.unsaved)
+        found = self.now
         try:
             health = read_health(journal, self._station.state, self._clock.utc(), unsaved=unsaved)
             found = HealthNow(health, self._clock.monotonic(), _last_tests(journal, health.dish))
         except (BirdcageError, OSError) as error:
-            found = replace(self.now, problem=str(error), read_at=self._clock.monotonic())
-        except Exception:
-            self._soon(self._free)
-            raise
-        self._soon(partial(self._have, found))
-
-    def _free(self) -> None:
-        """Let the next look judge again."""
-        self._reads = False
+            found = replace(found, problem=str(error), read_at=self._clock.monotonic())
+        finally:  # whatever happens, the next look judges again
+            self._soon(partial(self._have, found))
 
     def _have(self, found: HealthNow) -> None:
         self._reads, self.now = False, found

@@ -22,13 +22,13 @@ from birdcage_tui.control.nudge import DigitsPane
 from birdcage_tui.control.presets import PresetsBox, PresetsPane
 from birdcage_tui.control.readout import ReadoutPane
 from birdcage_tui.control.rose import RosePane
-from birdcage_tui.control.tabbing import Tabbed
-from birdcage_tui.control.tabs import TabRow
+from birdcage_tui.control.tabbing import TABS, Tabbed
 from birdcage_tui.goto.reach import refusal_of
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.skew import SkewPane, has_skew
+from birdcage_tui.widgets.tab_row import TabRow
 
 
 class ControlPage(Tabbed):
@@ -61,7 +61,7 @@ class ControlPage(Tabbed):
 
     def compose(self) -> ComposeResult:
         """The parts, from the top left."""
-        yield TabRow(id="tabs")
+        yield TabRow(TABS, "tab-", id="tabs")
         with Horizontal(id="control-top"):
             yield RosePane(id="rose")
             with Vertical(id="control-side"):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from birdcage.base.config import feed_label
-from textual import events, on
 from textual.app import ComposeResult
 from textual.containers import Horizontal, Vertical
 from textual.timer import Timer
@@ -24,6 +23,7 @@ from birdcage_tui.shown.offer import Offer
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.esc_field import EscField
 from birdcage_tui.widgets.fields_screen import Values
+from birdcage_tui.widgets.filter_box import FilterHands
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.pane import Pane
 
@@ -32,7 +32,7 @@ RUN_S = 0.25
 """Between two frames while the time shown runs by itself."""
 
 
-class PassesPage(Page):
+class PassesPage(FilterHands, Page):
     """The list at the left, the chosen pass at the right, the timeline below; or the world."""
 
     DEFAULT_CSS = """
@@ -281,7 +281,8 @@ class PassesPage(Page):
         self._arrange()
         field.focus()
 
-    def _close_filter(self, words: str) -> None:
+    def close_filter(self, words: str) -> None:
+        """Go back to the list, with these words in force."""
         field = self.query_one(Input)
         field.value = words
         self.selection.choice.filter = words
@@ -304,19 +305,3 @@ class PassesPage(Page):
         source = self.host.track.source
         if source is not None:
             source.locate(text)
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Go back to the list, with the filter in force."""
-        event.stop()
-        self._close_filter(event.value.strip())
-
-    @on(EscField.Left)
-    def _left_filter(self, event: EscField.Left) -> None:
-        event.stop()
-        self._close_filter("")
-
-    def on_key(self, event: events.Key) -> None:
-        """Esc in the filter clears it."""
-        if event.key == "escape" and self.query_one(Input).has_focus:
-            event.stop()
-            self._close_filter("")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from textual import events, on
+from textual import events
 from textual.app import ComposeResult
 from textual.containers import Vertical
+from textual.widget import Widget
 from textual.widgets import Input
 
-from birdcage_tui.widgets.esc_field import EscField
+from birdcage_tui.widgets.esc_field import EscField, LeaveField
 from birdcage_tui.widgets.pane import Pane
 
 
@@ -22,7 +23,39 @@ class FilteredPane(Pane, can_focus=True):
         raise NotImplementedError
 
 
-class FilterBox(Vertical):
+class FilterHands(Widget):
+    """What keys do in the filter of a list below: Enter goes back there, Esc and Backspace clear the filter."""
+
+    def close_filter(self, words: str) -> None:
+        """Go back to the list, with these words in force."""
+        raise NotImplementedError
+
+    def leave_list(self) -> bool:
+        """Do what Esc does in the list, and return whether that is anything."""
+        return False
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Go back to the list, with the filter in force."""
+        event.stop()
+        self.close_filter(event.value.strip())
+
+    def on_leave_field_left(self, event: LeaveField.Left) -> None:
+        """Clear the filter."""
+        event.stop()
+        self.close_filter("")
+
+    def on_key(self, event: events.Key) -> None:
+        """Esc in the filter clears it; what it does in the list is the list's."""
+        if event.key != "escape":
+            return
+        if self.query_one(Input).has_focus:
+            event.stop()
+            self.close_filter("")
+        elif self.leave_list():
+            event.stop()
+
+
+class FilterBox(FilterHands, Vertical):
     """Typing filters at once, Enter goes back to the list, Esc clears the filter."""
 
     def __init__(self, pane: FilteredPane, *hints: str, field_id: str, id: str | None = None) -> None:  # noqa: A002
@@ -42,7 +75,8 @@ class FilterBox(Vertical):
         field.disabled, field.display = False, True
         field.focus()
 
-    def _close_filter(self, words: str) -> None:
+    def close_filter(self, words: str) -> None:
+        """Go back to the list, with these words in force."""
         field = self.query_one(Input)
         field.value = words
         self._pane.focus()
@@ -52,25 +86,3 @@ class FilterBox(Vertical):
         """Show what is left."""
         event.stop()
         self._pane.filter_by(event.value.strip())
-
-    def on_input_submitted(self, event: Input.Submitted) -> None:
-        """Go back to the list, with the filter in force."""
-        event.stop()
-        self._close_filter(event.value.strip())
-
-    @on(EscField.Left)
-    def _left_filter(self, event: EscField.Left) -> None:
-        event.stop()
-        self._close_filter("")
-
-    def on_key(self, event: events.Key) -> None:
-        """Esc in the filter clears it; what it does in the list is the list's."""
-        if event.key == "escape":
-            event.stop()
-            if self.query_one(Input).has_focus:
-                self._close_filter("")
-            else:
-                self.leave()
-
-    def leave(self) -> None:
-        """Esc in the list: where it leads from there."""
