@@ -157,7 +157,7 @@ PLACES = (
             holds="LinesScreen/VerticalScroll"),
     _dialog("edit a setting", "SettingsHands._edit", "f4", "n", "e", **FIELDS),
     _dialog("write settings", "SettingsHands._write", "f4", "n", "w"),
-    _dialog("save settings", "SettingsHands._ask_to_save", "f4", "n", "s"),
+    _dialog("save settings", "SettingsHands._save", "f4", "n", "s"),
     _dialog("restore settings", "SettingsHands._choose", "f4", "n", "R", dialog="ChoiceScreen",
             holds="ChoiceScreen/OptionList"),
     _dialog("compare settings", "SettingsHands._compare", "f4", "n", "c", "enter", dialog="LinesScreen",
@@ -247,7 +247,7 @@ def fill_system(app):
     feeds.sheets.look(None)
     feeds.sheets._changes = [FeatureChange(CARRYOUT_G2.features["speed.azimuth"], 65.0, 20.0)]
     feeds.own_settings.look()
-    feeds.own_settings.now = settings_stand_in.table_of(app, staged={38: "600"})
+    settings_stand_in.fill(app, staged={38: "600"})
     feeds.health.look()
     feeds.health.now = health_stand_in.NOW
 

@@ -12,6 +12,7 @@ ROWS = {
 TABLE = SettingsTable(("as printed",), ROWS)
 
 
-def table_of(app, **more):
-    """Return what the tab shows with this table; `more` as `OwnSettingsNow`."""
-    return OwnSettingsNow(TABLE, app.session.clock.monotonic(), **more)
+def fill(app, **more):
+    """Have the tab show this table, as if it had just been read; `more` as `OwnSettingsNow`."""
+    feed = app.system.own_settings
+    feed.now, feed._due = OwnSettingsNow(TABLE, app.session.clock.monotonic(), **more), False

@@ -12,7 +12,7 @@ from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWri
 from birdcage.station.requests import ReadSettings, SaveSettings, WriteSettings
 from birdcage_tui.shown.own_settings import OwnSettingsNow, setting_lines
 from birdcage_tui.system.own_settings_pane import OwnSettingsPane
-from settings_stand_in import TABLE
+from settings_stand_in import ROWS, TABLE
 from stage import run
 from test_end_to_end import House, played, press
 from textual.widgets import Input
@@ -41,7 +41,7 @@ def test_only_modified_leaves_what_is_as_the_factory_made_it():
 async def with_table(app, pilot, **more):
     await pilot.press("f4", "n")
     await pilot.pause()
-    app.system.own_settings.now = settings_stand_in.table_of(app, **more)
+    settings_stand_in.fill(app, **more)
     app.paint()
     await pilot.pause()
     return stand_in.text_of(app)
@@ -255,9 +255,12 @@ def test_what_is_edited_while_a_write_is_under_way_is_not_written_with_it():
     async def look(app, pilot):
         await with_table(app, pilot, staged={38: "600"})
         slow = Slow(app)
-        await pilot.press("w", "y")
+        await pilot.press("w")
         await pilot.pause()
-        app.system.own_settings.stage(38, "0")
+        app.system.own_settings.stage(38, "0")  # whatever is staged now, the question has shown 600
+        await pilot.press("y")
+        await pilot.pause()
+        app.system.own_settings.stage(38, "10")
         slow.answer(WriteSettings, SettingsWritten("backup.txt", TABLE))
         await pilot.pause()
         await pilot.pause()
@@ -265,7 +268,7 @@ def test_what_is_edited_while_a_write_is_under_way_is_not_written_with_it():
 
     wrote, staged = run(look, size=(120, 36))
     assert wrote == [WriteSettings({38: "600"}, "you", agreed=True)]
-    assert staged == {38: "0"}
+    assert staged == {38: "10"}
 
 
 def test_another_dish_drops_what_was_staged_for_the_one_before():
@@ -306,3 +309,57 @@ def test_a_name_with_brackets_is_shown_as_it_is():
         return stand_in.text_of(app)
 
     assert "Row 7: a [/] b [deg]" in run(look, size=(120, 36))
+
+
+def test_a_row_that_is_no_longer_as_it_was_shown_is_not_written():
+    async def look(app, pilot):
+        await with_table(app, pilot, staged={38: "600"})
+        slow = Slow(app)
+        await pilot.press("w")
+        await pilot.pause()
+        rows = {**ROWS, 38: SettingRow(38, "Sleep Mode Timer Secs", "60", "60", "420")}
+        now = app.system.own_settings.now
+        app.system.own_settings.now = replace(now, table=SettingsTable(("other",), rows))
+        await pilot.press("y")
+        await pilot.pause()
+        return slow.of(WriteSettings), stand_in.text_of(app)
+
+    wrote, text = run(look, size=(120, 36))
+    assert wrote == []
+    assert "have changed meanwhile. Nothing was written." in text
+
+
+def test_what_the_dish_had_already_is_no_step_to_undo_and_names_no_backup():
+    async def look(app, pilot):
+        await with_table(app, pilot, staged={38: "420.0"})
+        slow = Slow(app)
+        await pilot.press("w", "y")
+        await pilot.pause()
+        slow.answer(WriteSettings, SettingsWritten(None, TABLE))
+        await pilot.pause()
+        await pilot.pause()
+        return stand_in.text_of(app), app.system.own_settings.now.undo
+
+    text, undo = run(look, size=(120, 36))
+    assert "Nothing was written." in text
+    assert undo == ()
+
+
+def test_an_old_table_is_read_anew_before_anything_is_asked_and_a_late_question_waits_for_a_free_page():
+    async def look(app, pilot):
+        await with_table(app, pilot, staged={38: "600"})
+        app.session.clock.advance(30.0)
+        slow = Slow(app)
+        await pilot.press("w")
+        await pilot.pause()
+        screens = len(app.screen_stack)
+        await pilot.press("slash")
+        await pilot.pause()
+        slow.answer(ReadSettings, TABLE)
+        await pilot.pause()
+        await pilot.pause()
+        return screens, len(app.screen_stack), slow.of(WriteSettings), app.feeds.notes.last
+
+    screens, later, wrote, told = run(look, size=(120, 36))
+    assert (screens, later, wrote) == (1, 1, [])
+    assert told == "The dish's settings are read. Press the key again."

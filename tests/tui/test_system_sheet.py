@@ -9,13 +9,13 @@ from types import MappingProxyType
 
 import pytest
 import stand_in
-from birdcage.base.errors import CommandRefused
+from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.diagnostics.motor_test_records import MotorTestBook
 from birdcage.diagnostics.motor_test_task import MotorTests
 from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, by_id
-from birdcage.station.requests import Read
+from birdcage.station.requests import Read, Set
 from birdcage.station.state import Activity, BootLog
 from birdcage_tui.shown.system_sheet import absent_groups, cell_text, sheet_rows
 from birdcage_tui.system.detail_pane import DetailPane
@@ -373,3 +373,58 @@ async def test_a_motor_test_asks_first_and_what_it_measured_stands_there_against
         await house.step(1)
         assert re.search(r"Measured azimuth: 6\d\.\d ±\S+ deg/s of 65, .* no stall", house.text())
         assert re.search(r"Measured elevation: 4\d\.\d ±\S+ deg/s of 45", house.text())
+
+
+def test_a_reading_that_a_person_agreed_to_is_asked_for_once_whatever_comes_of_it():
+    risky = Feature("risky", "Risky level", page=FeaturePage.RECEIVER, read_hazard="It switches the LNB supply.")
+    dish = replace(CARRYOUT_G2, features=by_id([risky]))
+
+    async def look(app, pilot):
+        asked = []
+
+        def submit(request):
+            asked.append(request)
+            future = Future()
+            if isinstance(request, Read):
+                future.set_exception(NoReply("The dish is silent."))
+            return future
+
+        app.station.submit = submit
+        await pilot.press("f4", "d", "enter", "y")
+        for _ in range(5):
+            app.session.clock.advance(5.0)
+            app.paint()
+            await settle(pilot)
+        return [each for each in asked if isinstance(each, Read) and each.agreed]
+
+    assert run(look, state={"dish": dish}) == [Read(("risky",), agreed=True)]
+
+
+def test_what_a_question_showed_of_one_dish_is_not_set_on_another():
+    async def look(app, pilot):
+        await pilot.press("f4", "m")
+        await settle(pilot)
+        feed = app.system.sheets
+        epoch = feed.epoch
+        app.station.state = replace(app.station.state, port="/dev/ttyUSB7")
+        feed.set(CARRYOUT_G2.features["speed.azimuth"], 20.0, epoch)
+        await settle(pilot)
+        return app.station.asked_for(Set), stand_in.text_of(app)
+
+    asked, text = run(look, size=(120, 36))
+    assert asked == []
+    assert "Nothing was set." in text
+
+
+def test_what_stands_below_the_last_row_can_be_scrolled_to():
+    async def look(app, pilot):
+        await pilot.press("f4", "m", *["down"] * 60)
+        await settle(pilot)
+        below = stand_in.text_of(app)
+        await pilot.press(*["up"] * 60)
+        await settle(pilot)
+        return below, stand_in.text_of(app)
+
+    below, top = run(look)
+    assert "which move beyond every limit" in " ".join(re.findall(r"[^│\s]+", below))
+    assert "▶ State of the motor" in top

@@ -11,6 +11,9 @@ class DishSeen:
     def __init__(self) -> None:
         self._dish: tuple[str, str, bool] | None = None
         self._boot: object = None
+        self.epoch = 0
+        """Counts the changes: what was asked for in an earlier one is of no use, and nothing is done that was meant
+        for it."""
 
     def is_another(self, state: StationState) -> bool:
         """Return whether it changed since the last call that knew a dish; a dish that is not known yet is no other."""
@@ -20,4 +23,6 @@ class DishSeen:
         boot = None if state.boot_log is None else state.boot_log.utc
         before, self._dish = self._dish, dish
         booted, self._boot = self._boot != boot, boot
-        return before is not None and (before != dish or booted)
+        another = before is not None and (before != dish or booted)
+        self.epoch += another
+        return another

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import replace
 from functools import partial
@@ -46,16 +46,23 @@ class OwnSettingsFeed:
         self._not_before = -math.inf
         self._undoes = False
         """Whether what is staged brings back what a write replaced: then it is no step to undo itself."""
+        self._due = True
+        """Whether the table is to be read as soon as the dish may be asked."""
+
+    def notice(self) -> None:
+        """Drop what was read of a dish, and staged for it, once it is another or has started anew."""
+        if self._seen.is_another(self._station.state):
+            self.now, self._undoes, self._due = OwnSettingsNow(), False, True
 
     def look(self) -> None:
         """Somebody looks at the table: read it on arrival, if it is old, and as soon as the dish rests."""
         state, now = self._station.state, self._clock.monotonic()
-        if self._seen.is_another(state):
-            self.now = OwnSettingsNow()  # what was staged was meant for the one before
+        self.notice()
         arrived, self._looked_at = now - self._looked_at > LOOKED_S, now
+        if self.now.read_at is None or (arrived and now - self.now.read_at > OLD_S):
+            self._due = True
         has = state.dish is not None and state.dish.has_own_settings
-        old = self.now.read_at is None or (arrived and now - self.now.read_at > OLD_S)
-        if has and old and not self.now.busy and now >= self._not_before and not waits_for(state):
+        if has and self._due and not self.now.busy and now >= self._not_before and not waits_for(state):
             self.read()
 
     def read(self, then: Callable[[], object] | None = None) -> None:
@@ -79,35 +86,59 @@ class OwnSettingsFeed:
         self._undoes = False
         self._show(staged=dict(values), wrong="")
 
-    def write(self, values: Mapping[int, str]) -> None:
-        """Write these into the dish's memory, and nothing else; a person was shown them, and agreed."""
-        rows = {} if self.now.table is None else self.now.table.rows
-        wanted = {index: value for index, value in values.items() if index in rows}
-        self._write_next(wanted, {index: rows[index].current for index in wanted}, undoes=self._undoes)
+    def write(self, changes: Sequence[tuple[SettingRow, str]]) -> None:
+        """Write these values into the dish's memory, and nothing else; a person was shown both, and agreed.
 
-    def _write_next(self, values: Mapping[int, str], before: Mapping[int, str], *, undoes: bool) -> None:
-        """Write some of them, and then the rest; `before` is what they are now."""
+        Nothing is written where a row is not as it was shown.
+        """
+        self.notice()
+        rows = {} if self.now.table is None else self.now.table.rows
+        if not changes or any(rows.get(row.index) != row for row, _ in changes):
+            self._say("The dish's settings have changed meanwhile. Nothing was written. Press w again.")
+            return
+        values, undoes = {row.index: value for row, value in changes}, self._undoes
+        self._write_next(values, {row.index: row.current for row, _ in changes}, {}, undoes=undoes)
+
+    def _write_next(
+        self, values: Mapping[int, str], before: Mapping[int, str], replaced: Mapping[int, str], *, undoes: bool
+    ) -> None:  # fmt: skip
+        """Write some of them, and then the rest; `before` is what they were, `replaced` what of it is written over."""
         part = dict(list(values.items())[:MOST_AT_ONCE])
         rest = {index: value for index, value in values.items() if index not in part}
 
         def have(written: object) -> None:
             assert isinstance(written, SettingsWritten), "the station's promise"
             left = {index: value for index, value in self.now.staged.items() if part.get(index) != value}
-            undo = self.now.undo if undoes else (*self.now.undo, {index: before[index] for index in part})
-            backup = written.backup or self.now.backup
-            self._show(table=written.table, read_at=self._clock.monotonic(), staged=left, backup=backup, undo=undo)
+            done, steps = dict(replaced), self.now.undo
+            if written.backup is not None:
+                steps = steps[:-1] if replaced and not undoes else steps
+                done |= {index: before[index] for index in part}
+                steps = steps if undoes else (*steps, done)
+            if undoes and not rest:
+                steps = steps[:-1]
+            self._show(table=written.table, read_at=self._clock.monotonic(), staged=left, undo=steps,
+                       backup=written.backup or self.now.backup)  # fmt: skip
             if rest:
-                self._write_next(rest, before, undoes=undoes)
+                self._write_next(rest, before, done, undoes=undoes)
+            elif done:
+                self._say(f"Written to the dish's memory. s saves it to flash. Backup: {self.now.backup}")
             else:
-                self._say(f"Written to the dish's memory. s saves it to flash. Backup: {backup}")
+                self._say("The dish has these values already. Nothing was written.")
 
         self._ask(WriteSettings(part, YOU, agreed=True), "writing", have)
 
-    def save(self) -> None:
-        """Save all that the dish's memory holds to flash; a person was shown what that is, and agreed."""
+    def save(self, table: SettingsTable | None) -> None:
+        """Save all that the dish's memory holds to flash; a person was shown that, and agreed.
 
-        def have(table: object) -> None:
-            self._have_table(table)
+        Nothing is saved where another table than the one that was shown is the last.
+        """
+        self.notice()
+        if table is None or self.now.table is not table:
+            self._say("The dish's settings have changed meanwhile. Nothing was saved. Press s again.")
+            return
+
+        def have(saved: object) -> None:
+            self._have_table(saved)
             self._say("Saved to flash. It counts from the next power cycle: switch the dish off and on.")
 
         self._ask(SaveSettings(YOU, agreed=True), "saving", have)
@@ -119,13 +150,13 @@ class OwnSettingsFeed:
             return True
         if not self.now.undo:
             return False
-        *earlier, last = self.now.undo
-        self._show(staged=dict(last), undo=tuple(earlier), wrong="")
+        self._show(staged=dict(self.now.undo[-1]), wrong="")
         self._undoes = True
         return True
 
     def _have_table(self, table: object) -> None:
         assert isinstance(table, SettingsTable), "the station's promise"
+        self._due = False
         self._show(table=table, read_at=self._clock.monotonic(), unread="")
 
     def back_up(self) -> None:
@@ -200,18 +231,23 @@ class OwnSettingsFeed:
             self._say("The dish is still busy with its settings. Try again in a moment.")
             return
         self._show(busy=busy, **({} if isinstance(request, ReadSettings) else {"wrong": ""}))
-        future = self._station.submit(request)
-        future.add_done_callback(lambda done: self._soon(partial(self._done, request, done, have)))
+        future, epoch = self._station.submit(request), self._seen.epoch
+        future.add_done_callback(lambda done: self._soon(partial(self._done, request, done, have, epoch)))
 
-    def _done(self, request: Request, done: Future[object], have: Callable[[object], None]) -> None:
+    def _done(
+        self, request: Request, done: Future[object], have: Callable[[object], None], epoch: int
+    ) -> None:  # fmt: skip
+        if epoch != self._seen.epoch:
+            return
         self._show(busy="")
         error = None if done.cancelled() else done.exception()
         if error is None and not done.cancelled():
             have(done.result())
         elif isinstance(request, ReadSettings):
-            self._not_before = self._clock.monotonic() + AGAIN_S
+            self._not_before, self._due = self._clock.monotonic() + AGAIN_S, True
             self._show(unread=str(error or ""))
         else:  # what that has left is read as soon as it can be
+            self._due = True
             self._show(wrong=str(error or ""), read_at=None)
         self._changed()
 

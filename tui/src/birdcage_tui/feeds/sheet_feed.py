@@ -9,7 +9,7 @@ from concurrent.futures import Future
 from functools import partial
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import Feature, FeatureKind, FeaturePage, Reading, Value
 from birdcage.station.access import FaceStation
@@ -68,12 +68,22 @@ class SheetFeed:
         """Whether all that the tab shows was asked for."""
         return not self._chunks and self._out is None
 
+    @property
+    def epoch(self) -> int:
+        """Counts the dishes, and their restarts: a question that was asked of one is not answered for another."""
+        return self._seen.epoch
+
+    def notice(self) -> None:
+        """Drop what was read of a dish, and set on it, once it is another or has started anew."""
+        if self._seen.is_another(self._station.state):
+            self._chunks.clear()
+            self._out, self._sets = None, False
+            self._failed, self._changes, self._answers = {}, [], {}
+
     def look(self, page: FeaturePage | None) -> None:
         """Somebody looks at a tab, one without features for None: read what is not fresh on arrival there."""
         now = self._clock.monotonic()
-        if self._seen.is_another(self._station.state):
-            self._chunks.clear()
-            self._failed, self._changes, self._answers = {}, [], {}
+        self.notice()
         arrived = page is not self._page or now - self._looked_at > LOOKED_S
         self._page, self._looked_at = page, now
         if arrived:
@@ -91,35 +101,50 @@ class SheetFeed:
         self.go_on()
 
     def read(self, feature: Feature) -> None:
-        """Read one feature now; a person has agreed to what that does (`Feature.read_hazard`)."""
+        """Read one feature now, or not at all; a person has agreed to what that does (`Feature.read_hazard`)."""
+        if why := waits_for(self._station.state):
+            self._say(why)
+            return
         self._failed.pop(feature.id, None)
         self._chunks.appendleft(((feature.id,), True))
         self.go_on()
 
-    def set(self, feature: Feature, value: Value) -> None:
-        """Write a feature; a person was told its hazard, and agreed."""
+    def set(self, feature: Feature, value: Value, epoch: int) -> None:
+        """Write a feature of the dish of that `epoch`; a person was told its hazard, and agreed."""
         before = self._station.state.readings.get(feature.id)
-        self._submit_set(FeatureChange(feature, None if before is None else before.value, value), undoes=None)
+        self._submit_set(FeatureChange(feature, None if before is None else before.value, value), None, epoch)
 
-    def undo(self, change: FeatureChange) -> None:
+    def undo(self, change: FeatureChange, epoch: int) -> None:
         """Put back what was set last; a person was told its hazard, and agreed."""
-        if self._changes and self._changes[-1] is change and change.before is not None and not self._sets:
-            self._submit_set(FeatureChange(change.feature, change.after, change.before), undoes=change)
+        if change in self._changes and change.before is not None:
+            self._submit_set(FeatureChange(change.feature, change.after, change.before), change, epoch)
 
-    def _submit_set(self, change: FeatureChange, *, undoes: FeatureChange | None) -> None:
-        if self._sets:
+    def _submit_set(self, change: FeatureChange, undoes: FeatureChange | None, epoch: int) -> None:
+        self.notice()
+        if epoch != self.epoch:
+            self._say("The dish is another one now, or has started anew. Nothing was set.")
+        elif self._sets:
             self._say("The dish is still setting the last value. Try again in a moment.")
-            return
-        self._sets = True
-        future = self._station.submit(Set(change.feature.id, change.after, YOU, agreed=True))
-        future.add_done_callback(lambda done: self._soon(partial(self._have_set, done, change, undoes)))
+        else:
+            self._sets = True
+            future = self._station.submit(Set(change.feature.id, change.after, YOU, agreed=True))
+            future.add_done_callback(lambda done: self._soon(partial(self._have_set, done, change, undoes, epoch)))
 
-    def _have_set(self, done: Future[object], change: FeatureChange, undoes: FeatureChange | None) -> None:
+    def _have_set(
+        self, done: Future[object], change: FeatureChange, undoes: FeatureChange | None, epoch: int
+    ) -> None:  # fmt: skip
+        if epoch != self.epoch:
+            return
         self._sets = False
         feature = change.feature
         error = None if done.cancelled() else done.exception()
         if done.cancelled() or error is not None:
-            self._say(f"{feature.label} was not set. {error or ''}".strip())
+            if isinstance(error, NoReply | LinkError):  # its answer is missing: what holds now has to be read
+                self._say(f"{feature.label} may have been set. {error}")
+                self._ask_for([feature, *self._told_with(feature)] if feature.is_readable else [])
+                self.go_on()
+            else:
+                self._say(f"{feature.label} was not set. {error or ''}".strip())
             return
         answer = done.result()
         assert isinstance(answer, Reading), "the station's promise"
@@ -182,9 +207,12 @@ class SheetFeed:
         elif not waits_for(self._station.state):
             self._out = ids, agreed = self._chunks.popleft()
             future = self._station.submit(Read(ids, agreed=agreed))
-            future.add_done_callback(lambda done: self._soon(partial(self._have_read, done, (ids, agreed))))
+            epoch = self.epoch
+            future.add_done_callback(lambda done: self._soon(partial(self._have_read, done, (ids, agreed), epoch)))
 
-    def _have_read(self, done: Future[object], chunk: Chunk) -> None:
+    def _have_read(self, done: Future[object], chunk: Chunk, epoch: int) -> None:
+        if epoch != self.epoch:
+            return
         self._out = None
         ids, agreed = chunk
         error = None if done.cancelled() else done.exception()
@@ -195,6 +223,11 @@ class SheetFeed:
                 self._failed.pop(each, None)
                 if each not in told:
                     self._failed[each] = "The dish did not tell it."
+        elif agreed:  # a person has agreed to one reading, and not to more of them
+            self._failed[ids[0]] = str(error or "It was not read.")
+            self._say(str(error or "It was not read."))
+        elif not set(ids) <= {each.id for each in self._features()}:
+            pass  # of a tab that was left
         elif not _is_of_a_feature(error):
             self._chunks.appendleft(chunk)
             self._not_before = self._clock.monotonic() + AGAIN_S

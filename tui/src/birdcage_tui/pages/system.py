@@ -102,7 +102,9 @@ class SystemPage(Page):
     @property
     def watches(self) -> frozenset[str]:
         """What changes by itself on this tab, once it was read there."""
-        view = self.host.view()
+        return self._watches(self.host.view())
+
+    def _watches(self, view: View) -> frozenset[str]:
         dish, page = view.state.dish, SHEETS.get(self.tab)
         if dish is None or page is None or not self.host.system.sheets.is_settled:
             return frozenset({"position"})
@@ -113,12 +115,13 @@ class SystemPage(Page):
 
     def show(self, view: View) -> None:
         """Have the tab that is seen read, and draw."""
+        self.host.system.own_settings.notice()  # also where another tab is seen: Health goes by the table
         self.host.system.sheets.look(SHEETS.get(self.tab))
         if self.tab == "settings":
             self.host.system.own_settings.look()
         row, detail = self.query_one(SystemTabs), self.query_one(DetailPane)
         row.shown, detail.list = self.tab, self.list
-        watched = self.watches
+        watched = self._watches(view)
         if watched != self._watched:
             self._watched = watched
             self.host.watch_page()

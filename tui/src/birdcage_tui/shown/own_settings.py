@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
@@ -27,7 +27,7 @@ class OwnSettingsNow:
     """Why the table could not be read, as a sentence."""
     backup: str = ""
     """The path of the backup that the first write of this run has made."""
-    undo: Sequence[Mapping[int, str]] = ()
+    undo: tuple[Mapping[int, str], ...] = ()
     """Values from before each write of this run, the newest last."""
 
 

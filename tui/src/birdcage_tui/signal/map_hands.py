@@ -142,7 +142,7 @@ class MapHands(MapWork):
         if isinstance(head, str):
             self._host.say(head)
             return
-        if not self._is_free:
+        if not self._page.is_free:
             self._host.say("The map is ready to resume. u on F3 asks.")
             return
         request = again(head)
@@ -163,7 +163,7 @@ class MapHands(MapWork):
             self._host.say(found)
         elif not found:
             self._host.say("No maps are kept yet. m begins one.")
-        elif not self._is_free:
+        elif not self._page.is_free:
             self._host.say("The list of maps is ready. M on F3 shows it.")
         else:
             task, shown = map_task(self._host.view().state.tasks), self._host.maps.book.shown

@@ -47,13 +47,14 @@ class MapTeach(MapWork):
         super().__init__(page)
         self._show = show
         self._at_work = False
-        self._ready: Callable[[], object] | None = None
-        """Shows a result that came while something else was on the screen."""
+        self._ready: tuple[str, Callable[[], object]] | None = None
+        """The map of a result that came while something else was on the screen, and what shows it."""
 
     def ask(self) -> None:
         """Ask which lesson; or show the result of one that is ready."""
-        ready, self._ready = self._ready, None
-        if ready is not None:
+        (made, ready), self._ready = self._ready or ("", None), None
+        now = self._host.view().map
+        if ready is not None and now is not None and now.key == made:
             ready()
         elif self._host.view().map is None:
             self._host.say(NO_MAP)
@@ -74,18 +75,18 @@ class MapTeach(MapWork):
             case "horizon" if shown.is_elsewhere(self._host.settings.place):
                 self._host.say(ELSEWHERE)
             case "horizon":
-                self._compute(lambda: inputs().horizon(), partial(self._offer, shown))
+                self._compute(shown.key, lambda: inputs().horizon(), partial(self._offer, shown))
             case "north":
-                self._compute(lambda: inputs().north(), partial(self._offer_north, shown))
+                self._compute(shown.key, lambda: inputs().north(), partial(self._offer_north, shown))
             case _:
 
                 def sun() -> tuple[LessonInputs, SunLesson]:
                     told = inputs()
                     return told, told.sun()
 
-                self._compute(sun, partial(self._offer_beam, shown))
+                self._compute(shown.key, sun, partial(self._offer_beam, shown))
 
-    def _compute(self, work: Callable[[], Found], tell: Callable[[Found], object]) -> None:
+    def _compute(self, made: str, work: Callable[[], Found], tell: Callable[[Found], object]) -> None:
         self._at_work = True
         self._host.say("Computing …")
 
@@ -93,10 +94,10 @@ class MapTeach(MapWork):
             self._at_work = False
             if isinstance(found, str):
                 self._host.say(found)
-            elif self._is_free:
+            elif self._page.is_free:
                 tell(found)
             else:
-                self._ready = partial(tell, found)
+                self._ready = made, partial(tell, found)
                 self._host.say("What the map teaches is ready. y on F3 shows it.")
 
         self._host.maps.do_beside(work, told)

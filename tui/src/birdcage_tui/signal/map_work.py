@@ -26,9 +26,3 @@ class MapWork:
     @property
     def _pane(self) -> MapPane:
         return self._page.query_one(MapPane)
-
-    @property
-    def _is_free(self) -> bool:
-        """Whether the page is seen, nothing lies over it, and no text is typed: only then may a dialog open late."""
-        view = self._host.view()
-        return len(self._page.app.screen_stack) == 1 and self._page.scope in view.scopes and not view.typing

@@ -68,10 +68,11 @@ class FindingsPane(CursorPane):
             self._none(cells, view)
             return
         self.chosen(view)
-        problem = wrap(f"▲ {now.problem}", max(cells.width - 2, 10), most=3) if now.problem else []
+        most = max(1, min(3, cells.height // 3))
+        problem = wrap(f"▲ {now.problem}", max(cells.width - 2, 10), most=most) if now.problem else []
         for y, line in enumerate(problem, cells.height - len(problem)):
             cells.put(1, y, line, "warn")
-        room = cells.height - len(problem)
+        room = max(cells.height - len(problem), 1)
         width = max(cells.width - TEXT - 1, 10)
         texts = [wrap(each.text, width, most=2) for each in found]
         lines = [(number, index) for number, text in enumerate(texts) for index in range(len(text))]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.system.ask_feature import DETAIL_WIDTH, lines_screen
 from birdcage_tui.system.findings_pane import FindingsPane
 
@@ -32,10 +31,9 @@ class HealthHands:
         return True
 
     def _open(self, pane: FindingsPane) -> None:
-        view = self._page.host.view()
-        if can_release(view) is None:  # Enter releases what is held before anything else
-            self._page.host.action_command("release")
-        elif (detail := pane.detail(view, DETAIL_WIDTH)) is not None:
+        if self._page.releases_first():
+            return
+        if (detail := pane.detail(self._page.host.view(), DETAIL_WIDTH)) is not None:
             self._page.app.push_screen(lines_screen(detail))
 
     def _acknowledge(self, pane: FindingsPane) -> None:

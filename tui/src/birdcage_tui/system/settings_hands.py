@@ -10,7 +10,6 @@ from birdcage.base.errors import BirdcageError, OutOfRange
 from birdcage.rotator.setting_values import danger_of, given_value
 from textual.markup import escape
 
-from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.own_settings import SettingLine, differences
 from birdcage_tui.system.ask_feature import DETAIL_WIDTH, LinesScreen, lines_screen
 from birdcage_tui.system.own_settings_pane import OwnSettingsPane, known_rows
@@ -57,9 +56,9 @@ class SettingsHands:
                 pane.only_modified, pane.at = not pane.only_modified, 0
                 self._page.host.paint()
             case "write":
-                self._write()
+                self._fresh(self._write)
             case "save":
-                self._save()
+                self._fresh(self._save)
             case "undo":
                 self._undo()
             case "backup":
@@ -73,10 +72,9 @@ class SettingsHands:
         return True
 
     def _open(self, pane: OwnSettingsPane) -> None:
-        view = self._page.host.view()
-        if can_release(view) is None:  # Enter releases what is held before anything else
-            self._page.host.action_command("release")
-        elif (detail := pane.detail(view, DETAIL_WIDTH)) is not None:
+        if self._page.releases_first():
+            return
+        if (detail := pane.detail(self._page.host.view(), DETAIL_WIDTH)) is not None:
             self._page.app.push_screen(lines_screen(detail))
 
     def _edit(self, pane: OwnSettingsPane) -> None:
@@ -103,7 +101,27 @@ class SettingsHands:
         else:
             self._feed.stage(line.row.index, None)
 
-    def _write(self) -> None:
+    def _fresh(self, then: Callable[[bool], None]) -> None:
+        """Do something by the table as it is now, read anew unless it was just read; tell whether that took a while.
+
+        Somebody who has gone on to something else meanwhile is not disturbed.
+        """
+        self._feed.notice()
+        view = self._page.host.view()
+        read_at = view.own_settings.read_at
+        if read_at is not None and view.now - read_at < JUST_S and not view.own_settings.busy:
+            then(False)
+            return
+
+        def have() -> None:
+            if self._page.is_free and self._page.part.id == "system-settings":
+                then(True)
+            else:
+                self._page.host.say("The dish's settings are read. Press the key again.")
+
+        self._feed.read(have)
+
+    def _write(self, late: bool) -> None:
         view = self._page.host.view()
         changes = differences(view.own_settings)
         if not changes:
@@ -119,23 +137,11 @@ class SettingsHands:
         backup = "" if view.own_settings.backup else "A backup of the whole table is made first. "
         words = "\n".join(lines) + f"\n\n{backup}This changes the dish's memory. s saves it to flash."
         words += "".join(f"\n\n▲ {danger}" for danger in dangers)
-        question = QuestionScreen("Write settings", words, f"write {_counted(len(changes), 'row')}")
-        shown = {row.index: value for row, value in changes}
-        self._page.app.push_screen(question, lambda yes: self._feed.write(shown) if yes else None)
+        question = QuestionScreen("Write settings", words, f"write {_counted(len(changes), 'row')}", by_itself=late)
+        self._page.app.push_screen(question, lambda yes: self._feed.write(changes) if yes else None)
 
-    def _save(self) -> None:
-        """Ask about what flash and memory hold now: read that, where it was not just read."""
-        view = self._page.host.view()
-        read_at = view.own_settings.read_at
-        if read_at is not None and view.now - read_at < JUST_S:
-            self._ask_to_save()
-        else:
-            self._feed.read(self._ask_to_save)
-
-    def _ask_to_save(self) -> None:
+    def _save(self, late: bool) -> None:
         now = self._page.host.view().own_settings
-        if len(self._page.app.screen_stack) > 1 or not self._page.display:
-            return  # somebody went on to something else meanwhile
         rows = () if now.table is None else tuple(now.table.rows.values())
         unsaved = () if now.table is None else now.table.unsaved
         if not unsaved and all(row.saved is not None for row in rows):
@@ -144,8 +150,8 @@ class SettingsHands:
         lines = [f"{row.index:>3}  {row.name}:  {row.saved}  →  {row.current}" for row in unsaved]
         staged = f"\n\n{_counted(len(now.staged), 'edit')} not written yet: not saved with it." if now.staged else ""
         words = "\n".join(lines) + ("\n\n" if lines else "") + KEEPS + staged
-        question = QuestionScreen("Save to flash", words, "save")
-        self._page.app.push_screen(question, lambda yes: self._feed.save() if yes else None)
+        question = QuestionScreen("Save to flash", words, "save", by_itself=late)
+        self._page.app.push_screen(question, lambda yes: self._feed.save(now.table) if yes else None)
 
     def _undo(self) -> None:
         dropped = bool(self._feed.now.staged)
@@ -160,7 +166,12 @@ class SettingsHands:
             self._page.host.say("No backups yet. B makes one.")
             return
         rows = [ChoiceRow(str(path), path.name, str(path.parent)) for path in files]
-        self._page.app.push_screen(ChoiceScreen(title, rows), lambda chosen: then(Path(chosen)) if chosen else None)
+
+        def chosen(path: str | None) -> None:
+            if path is not None:
+                self._fresh(lambda _late: then(Path(path)))
+
+        self._page.app.push_screen(ChoiceScreen(title, rows), chosen)
 
     def _restore(self, path: Path) -> None:
         self._tell(lambda: self._feed.stage_from(path))

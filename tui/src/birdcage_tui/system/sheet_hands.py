@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
 from birdcage.station.requests import BeginTask
 
-from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import YOU
 from birdcage_tui.system.ask_feature import (
     DETAIL_WIDTH,
@@ -64,10 +63,9 @@ class SheetHands:
         return True
 
     def _open(self, sheet: SheetPane) -> None:
-        view = self._page.host.view()
-        if can_release(view) is None:  # Enter releases what is held before anything else
-            self._page.host.action_command("release")
+        if self._page.releases_first():
             return
+        view = self._page.host.view()
         feature = sheet.chosen(view)
         if feature is None:
             return
@@ -99,9 +97,11 @@ class SheetHands:
             self._ask(feature, read_value(feature, values[0]))
 
     def _ask(self, feature: Feature, value: Value) -> None:
+        epoch = self._feed.epoch
+
         def answered(yes: bool | None) -> None:
             if yes:
-                self._feed.set(feature, value)
+                self._feed.set(feature, value, epoch)
 
         said = _coax_words(value) if feature.id == DISEQC else ""
         self._page.app.push_screen(set_question(feature, value, self._page.host.view(), said), answered)
@@ -112,7 +112,7 @@ class SheetHands:
         def answered(yes: bool | None) -> None:
             if yes:
                 self._page.host.ask(BeginTask(KIND, {"axis": ""}, YOU))
-                self._page.host.say("Testing the motors. Space stops the dish.")
+                self._page.host.say("Motor test requested. Space stops the dish.")
 
         self._page.app.push_screen(QuestionScreen("Motor test", TEST, "area is clear: begin"), answered)
 
@@ -121,10 +121,9 @@ class SheetHands:
         if change is None or change.before is None:
             self._page.host.say("Nothing was set here that can be put back.")
             return
-        question = set_question(
-            change.feature, change.before, self._page.host.view(), "This puts back what was set last."
-        )
-        self._page.app.push_screen(question, lambda yes: self._feed.undo(change) if yes else None)
+        epoch = self._feed.epoch
+        question = set_question(change.feature, change.before, self._page.host.view(), PUTS_BACK)
+        self._page.app.push_screen(question, lambda yes: self._feed.undo(change, epoch) if yes else None)
 
 
 def _coax_words(value: Value) -> str:

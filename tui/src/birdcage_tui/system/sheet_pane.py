@@ -57,6 +57,17 @@ class SheetPane(CursorPane):
         super().__init__("system-sheet", id=id)
         self.page_of_features = page
         self.axis = 0
+        self._below = self._most_below = 0
+        """How far it is scrolled beyond the last row, to what stands there, and how far it can be."""
+
+    def move(self, by: int) -> None:
+        """Move the cursor by rows; on the last one, what stands below comes into sight."""
+        last = self.view is not None and self.at >= self.count(self.view) - 1
+        if last and (by > 0 or self._below):
+            self._below = min(max(self._below + by, 0), self._most_below)
+            cast(AppHost, self.app).paint()
+        else:
+            super().move(by)
 
     def rows(self, view: View) -> tuple[SheetRow, ...]:
         """Return what stands here."""
@@ -107,8 +118,10 @@ class SheetPane(CursorPane):
         head = 1 if here and isinstance(lines[here - 1], str) else 0  # the heading of the row stays in sight
         rest = rest_lines(view, self.page_of_features, cells.width)
         whole = len(lines) + len(rest)
-        last = whole - 1 if self.at == len(rows) - 1 and whole - here <= cells.height else here  # the rest is seen, too
-        top = self.scroll(last, whole, cells.height, head=head + last - here)
+        top = self.scroll(here, len(lines), cells.height, head=head)
+        self._most_below = max(whole - cells.height - top, 0) if self.at == len(rows) - 1 else 0
+        self._below = min(self._below, self._most_below)
+        top += self._below
         for y, line in enumerate(lines[top : top + cells.height]):
             if isinstance(line, str):
                 self._head(cells, y, line, rows, columns)

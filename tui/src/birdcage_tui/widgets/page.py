@@ -44,6 +44,12 @@ class Page(Container):
         """What of it is seen, and says in `HELP` what it is for."""
         return self
 
+    @property
+    def is_free(self) -> bool:
+        """Whether the page is seen, nothing lies over it, and no text is typed: only then may a dialog open late."""
+        view = self.host.view()
+        return len(self.app.screen_stack) == 1 and self.scope in view.scopes and not view.typing
+
     def releases_first(self) -> bool:
         """Release what is held, or acknowledge a fault, before Enter does anything else; return whether it did."""
         if can_release(self.host.view()) is not None:
