@@ -104,6 +104,34 @@ def test_a_port_that_is_gone_leaves_the_history(run, made):
     ] == "✗ The port of the dish is gone."
 
 
+def test_a_named_dish_out_of_reach_has_its_own_history_and_not_that_of_the_demo(run, as_json, made):
+    journal = Paths.default().journal
+    demo = MadeHistory(dish=f"{G2.name} (demo)").ordinary()
+    branch(demo).write(journal)
+    said = run("health", port="/dev/no-such-port")
+    assert "stalled" not in said.stdout
+    assert f"Looked at 30 days of the {G2.name}. Counted 0 moves, 0 stalls, 0 restarts, no replies yet." in said.stdout
+    assert as_json(run("health", "--quick", "--json"))["dish"] == G2.name
+
+
+def test_a_dish_that_is_not_named_is_a_real_one_if_there_is_any(run, as_json, made):
+    journal = Paths.default().journal
+    MadeHistory(dish=f"{G2.name} (demo)").ordinary().write(journal)
+    unnamed = {"BIRDCAGE_PORT": "", "BIRDCAGE_FIRMWARE": ""}
+    told = as_json(run("health", "--quick", "--json", env=unnamed))
+    assert told["dish"] == f"{G2.name} (demo)"
+    made.replies(40, 100, 0).write(journal)
+    assert as_json(run("health", "--quick", "--json", env=unnamed))["dish"] == G2.name
+
+
+def test_what_is_only_so_is_acknowledged_for_some_days(run, made):
+    for days_ago in range(3):
+        made.replies(days_ago, 500, 20)
+    made.write(Paths.default().journal)
+    said = run("health", "--quick", "--acknowledge", "replies")
+    assert "Acknowledged for 30 days, or until it gets worse: Replies get lost" in said.stderr
+
+
 def test_a_journal_that_cannot_be_read_is_told(run):
     journal = Paths.default().journal
     journal.parent.mkdir(parents=True, exist_ok=True)

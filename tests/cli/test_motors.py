@@ -33,6 +33,22 @@ def test_measured_beside_nominal(run):
     assert kept.speed[0] == pytest.approx(45.0, rel=0.05)
 
 
+def test_what_is_not_kept_is_told(run):
+    journal = Paths.default().journal
+    journal.parent.mkdir(parents=True, exist_ok=True)
+    journal.write_text("no database, but a text of some length: more than a header has")
+    result = run("motors", "--axis", "elevation", "--yes")
+    assert result.exit_code == 0, result.stderr
+    assert "Motor tests are not being kept: " in result.stderr
+
+
+def test_a_test_that_takes_too_long_is_not_finished(run, monkeypatch):
+    monkeypatch.setattr("birdcage.cli.commands.motors.TAKES_S", 1.0)
+    result = run("motors", "--axis", "elevation", "--yes")
+    assert result.exit_code == 1
+    assert "Not finished within 1 s." in result.stderr
+
+
 def test_as_json(run, as_json):
     told = as_json(run("motors", "--axis", "azimuth", "--yes", "--json", port="sim:g2?az=-180"))
     assert told["azimuth"]["speed"] == pytest.approx(65.0, rel=0.05)

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
+
 import pytest
 from birdcage.base.errors import CommandRefused
+from birdcage.diagnostics.motor_test_records import MotorTest
 from birdcage.diagnostics.motor_test_task import KIND
+from birdcage.diagnostics.motor_test_words import axis_words
 from birdcage.rotator.feature import Reading
 from birdcage.station.requests import AcquireLease, BeginTask, Goto, Jog
 from birdcage.station.state import Activity, FaultReason
@@ -83,6 +87,12 @@ def test_a_dish_that_is_slower_than_it_says_is_told(monkeypatch):
     assert "Azimuth: 50.0 ±0.1 °/s of 65" in ended.why
     assert "Its speed is 23% below nominal. Check its settings for speed and acceleration, and home it" in ended.why
     assert "acceleration is" not in ended.why
+
+
+def test_what_the_readings_do_not_tell_is_not_measured():
+    assert axis_words(MotorTest(datetime(2026, 11, 27, tzinfo=UTC), "azimuth", 40.0)) == (
+        "Azimuth: speed not measured, acceleration not measured, no stall seen over 40°."
+    )
 
 
 @pytest.mark.parametrize("options", ["seed=1", LATE])

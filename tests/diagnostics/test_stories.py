@@ -10,7 +10,7 @@ from birdcage.base.journal_rows import IncidentKind
 from birdcage.diagnostics.finding import Weight
 from birdcage.diagnostics.health import read_health
 from birdcage.diagnostics.history import acknowledge
-from birdcage.station.state import TvSearch
+from birdcage.station.state import LinkPhase, LinkState, TvSearch
 
 from .made_history import NOW, TRAVLER, MadeHistory, answering, out_of_reach
 
@@ -51,8 +51,8 @@ def worn_belt(made):
 
 
 def ice(made):
-    for hour, axis in ((5.6, "elevation"), (6.2, "elevation"), (7.1, "azimuth")):
-        made.stall(15, axis, 180.0, 45.0, hour)
+    for hour, axis, el in ((5.6, "elevation", 45.0), (6.2, "elevation", 31.0), (7.1, "azimuth", 45.0)):
+        made.stall(15, axis, 180.0, el, hour)
     return made
 
 
@@ -146,7 +146,7 @@ def test_everything_fine(judged):
     assert health.findings == ()
     assert health.headline == "Nothing needs you."
     assert not health.needs_you
-    assert health.looked_at.startswith("Looked at 30 days: 1,")
+    assert health.looked_at.startswith("Looked at 30 days of the Carryout G2. Counted 1,")
     assert "0 stalls, 2 restarts, lost replies: " in health.looked_at
     assert health.looked_at.endswith("The dish answers, and its present state is in here.")
 
@@ -178,6 +178,26 @@ def test_it_gets_worse_after_it_was_acknowledged(tmp_path):
     MadeHistory().replies(0, 1000, 900).write(path)
     [again] = read_health(path, answering(), NOW, dish=made.dish).findings
     assert (again.id, again.weight) == ("replies", Weight.FAULT)
+
+
+def test_what_is_still_so_returns_after_the_days_that_are_judged(tmp_path):
+    path = tmp_path / "journal.sqlite"
+    made = MadeHistory().ordinary()
+    made.write(path)
+    state = answering(told={"sleep_timer": (420.0, "s")})
+    [sleep] = read_health(path, state, NOW, dish=made.dish).findings
+    acknowledge(path, made.dish, sleep, NOW - timedelta(days=29))
+    assert read_health(path, state, NOW, dish=made.dish).findings == ()
+    [again] = read_health(path, state, NOW + timedelta(days=2), dish=made.dish).findings
+    assert again.id == "sleep"
+    [again] = read_health(path, state, NOW, dish=made.dish, days=20).findings
+    assert again.id == "sleep"
+
+
+@pytest.mark.parametrize("told", [{"tv_search": (True, "")}, {"lnb_supply": (0.2, "V")}, {"lnb_supply": (18.2, "V")}])
+def test_a_search_that_is_on_and_a_wrong_supply_cannot_be_acknowledged(judged, told):
+    [only] = judged(MadeHistory().ordinary(), answering(told=told)).findings
+    assert only.lasts
 
 
 @pytest.mark.parametrize(
@@ -238,6 +258,16 @@ def test_without_the_dish_the_history_speaks_and_says_that_it_is_all(judged):
     assert health.findings[0].id == "stall.azimuth"
     assert health.looked_at.endswith("The dish was not asked: its present state is unknown.")
     assert health.figures.link.homed is None
+
+
+@pytest.mark.parametrize(("link", "port", "words"), [
+    (LinkPhase.SILENT, "/dev/ttyUSB0", "The dish was asked and did not answer: its present state is unknown."),
+    (LinkPhase.LOST, "/dev/ttyUSB0", "The dish could not be asked through its port: its present state is unknown."),
+    (LinkPhase.LOST, "", "The dish was not asked: its present state is unknown."),
+])  # fmt: skip
+def test_a_dish_that_does_not_answer_was_asked(judged, link, port, words):
+    state = replace(out_of_reach(), link=LinkState(link), port=port)
+    assert judged(MadeHistory().ordinary(), state).looked_at.endswith(f". {words}")
 
 
 def test_what_was_saved_waits_for_a_start_and_is_over_with_it(judged, tmp_path):

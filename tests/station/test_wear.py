@@ -22,6 +22,26 @@ def counted(bench, tmp_path, work):
     }
 
 
+def test_wear_that_is_not_kept_is_told(tmp_path):
+    bench = g2()
+    path = tmp_path / "journal.sqlite"
+    path.mkdir()
+    book = WearBook(path)
+    tally = keep_wear(bench.station, book)
+    bench.do(Goto(100, 45, "you"))
+    tally.write()
+    assert book.flush()
+    tally.write()
+    assert bench.state.warnings["wear"].startswith("Wear is not being kept: ")
+    path.rmdir()
+    bench.do(Goto(130, 45, "you"))
+    tally.write()
+    assert book.flush()
+    tally.write()
+    assert "wear" not in bench.state.warnings
+    book.close()
+
+
 def test_single_moves(tmp_path):
     bench = g2()
 

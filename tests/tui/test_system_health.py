@@ -131,7 +131,7 @@ def test_a_finding_that_was_acknowledged_goes_and_a_new_stall_brings_it_back(tmp
     feed.look()
     (finding,) = [each for each in feed.now.health.findings if each.id.startswith("stall")]
     feed.acknowledge(finding, said.append)
-    assert said == ["Acknowledged. It comes back when it happens again."]
+    assert said == ["Acknowledged until it happens again."]
     assert not any(each.id == finding.id for each in feed.now.health.findings)
     clock.advance(3600.0)
     later = clock.utc()

@@ -224,6 +224,8 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     def close() -> None:
         sources.close_meters()
         motors.book.close()
+        if motors.book.problem:
+            say(motors.book.problem)
 
     session = open_session(
         port=wanted.port, firmware=wanted.firmware, baud=wanted.baud, settings=wanted.settings, paths=wanted.paths,

@@ -75,21 +75,21 @@ def _read(dish: StationCommand) -> dict[str, Reading]:
 def whose(dish: Wanted, state: StationState) -> tuple[str, StationState]:
     """Return under which name the history of the dish is kept, and the state with its facts, where they are known.
 
-    Of a dish that was not reached and is not named, the one that was used last counts.
+    Of a dish that was not reached and is not named, the one that was used last counts: a real one, if there is any.
     """
     from birdcage.diagnostics.history import list_dishes
     from birdcage.station.known import list_models
-    from birdcage.station.wear import dish_key
+    from birdcage.station.wear import dish_key, is_demo
 
     if state.dish is not None and state.link.state is LinkPhase.UP:
         return dish_key(state.dish.name, demo=state.demo), state
+    if state.dish is not None:
+        return dish_key(state.dish.name, demo=False), state
     try:
         known = list_dishes(dish.paths.journal)
     except StoreError:
         known = []  # the history itself says so
     models = {dish_key(each.name, demo=demo): each for each in list_models() for demo in (False, True)}
-    named = state.dish
-    name = next((each for each in known if named is None or each.startswith(named.name)), None)
-    if name is None:
-        return ("" if named is None else dish_key(named.name, demo=False)), state
-    return name, replace(state, dish=named or models.get(name))
+    real = [each for each in known if not is_demo(each)]
+    name = next(iter(real or known), "")
+    return name, replace(state, dish=models.get(name))

@@ -93,7 +93,7 @@ def follow_task(
     deadline = dish.now + takes_s
     while number not in ended:
         if dish.now > deadline:
-            raise BirdcageError(f"Not found within {takes_s:.0f} s.", reason=Reason.TIMEOUT)
+            raise BirdcageError(f"Not finished within {takes_s:.0f} s.", reason=Reason.TIMEOUT)
         dish.look(hear)
     dish.progress.clear()
     if not ended[number].is_done:

@@ -9,7 +9,7 @@ from birdcage.base.journal_rows import DishIncident, IncidentKind
 from birdcage.diagnostics.examination import Examination
 from birdcage.diagnostics.history import DishHistory
 from birdcage.diagnostics.motor_rules import TURN_DEG
-from birdcage.diagnostics.power_rules import last_restart
+from birdcage.diagnostics.power_rules import all_restarts
 from birdcage.rotator.feature import DRIVER, LNB_SUPPLY, Reading
 from birdcage.station.state import FaultReason, StationState, TvSearch
 
@@ -48,7 +48,7 @@ class LinkFigures:
     """Answers that came later than a stream of targets could wait for."""
     stray_bytes: int
     restarts: int
-    """Restarts that were heard, whoever caused them."""
+    """Restarts, whoever caused them."""
     last_restart: DishIncident | None
     silences: int
     """How often the dish stopped answering."""
@@ -88,13 +88,14 @@ class HealthFigures:
 def health_figures(history: DishHistory, state: StationState, now: datetime) -> HealthFigures:
     """Return the figures of a dish. Of one whose kind is not known, no motor is told."""
     seen = Examination(history, state, now)
-    first, end = _span(history, now)
+    first, end = history.span
+    restarts = all_restarts(seen)
     counted = history.asked(first, end)
     link = LinkFigures(
         round_trip_s=state.link.round_trip_s if seen.answers else None,
         asked=counted.asked, unanswered=counted.unanswered, late=counted.late, stray_bytes=counted.stray_bytes,
-        restarts=len(history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)),
-        last_restart=last_restart(seen),
+        restarts=len(restarts),
+        last_restart=restarts[-1] if restarts else None,
         silences=len(history.recent_incidents(IncidentKind.SILENT)),
         port_losses=len(history.recent_incidents(IncidentKind.LOST)),
         homed=state.homed if seen.answers else None,
@@ -110,30 +111,23 @@ def _days(first: date, end: date) -> list[date]:
 
 def _day(seen: Examination, day: date) -> DayFigures:
     history, after = seen.history, day + timedelta(days=1)
-    restarts = history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
     losses = history.recent_incidents(IncidentKind.SILENT, IncidentKind.LOST)
     numbers = {each.axis for each in history.wear}
     return DayFigures(
         day,
         sum(each.reason == FaultReason.STALL and each.utc.date() == day for each in seen.faults),
-        sum(each.utc.date() == day for each in restarts),
+        sum(each.utc.date() == day for each in all_restarts(seen)),
         sum(each.utc.date() == day for each in losses),
         history.asked(day, after).unanswered,
         sum(history.worn(number, day, after).degrees for number in numbers) / TURN_DEG,
     )
 
 
-def _span(history: DishHistory, now: datetime) -> tuple[date, date]:
-    """Return the first UTC day that is judged, and the day after the last."""
-    end = now.date() + timedelta(days=1)
-    return end - timedelta(days=history.days), end
-
-
 def _motors(seen: Examination) -> tuple[MotorFigures, ...]:
     if seen.facts is None:
         return ()
     history, found = seen.history, []
-    first, end = _span(history, seen.now)
+    first, end = history.span
     before = first - timedelta(days=history.days)
     stalled = [each for each in seen.faults if each.reason == FaultReason.STALL]
     for number, axis in seen.facts.numbered.items():

@@ -62,6 +62,12 @@ class Finding:
         """How it is shown."""
         return WEIGHTS[self.urgency]
 
+    def seen_until(self, days: int) -> str:
+        """Return for how long an acknowledgement holds, where `days` are judged: `until it happens again`."""
+        if self.latest is not None:
+            return "until it happens again"
+        return f"for {days} days, or until it gets worse" if days > 1 else "for a day, or until it gets worse"
+
     @property
     def needs_you(self) -> bool:
         """Whether somebody has to do something; a note only wants to be read."""

@@ -40,11 +40,11 @@ RULES: tuple[Rule, ...] = (
 def findings(
     history: DishHistory, state: StationState, now: datetime, unsaved: Sequence[str] = ()
 ) -> tuple[Finding, ...]:  # fmt: skip
-    """Return what needs somebody, the most urgent first; what was acknowledged is left out until it happens again.
+    """Return what needs somebody, the most urgent first; what was acknowledged is left out (`unseen`).
 
     `state` of a dish that was not reached has its facts (`StationState.dish`) at most. `unsaved` are the settings that
     were changed and not saved, as the dish calls them (`SettingsTable.unsaved`).
     """
     seen = Examination(history, state, now, tuple(unsaved))
     found = [each for rule in RULES for each in rule(seen)]
-    return unseen(sorted(found, key=lambda each: each.urgency), history.acknowledged)
+    return unseen(sorted(found, key=lambda each: each.urgency), history)

@@ -30,7 +30,7 @@ class DishHealth:
     findings: tuple[Finding, ...]
     figures: HealthFigures
     looked_at: str
-    """What was looked at, in sentences: `Looked at 30 days: …`."""
+    """What was looked at, in sentences: `Looked at 30 days of the Carryout G2. Counted …`."""
 
     @property
     def headline(self) -> str:
@@ -61,19 +61,26 @@ def read_health(
         dish = "" if state.dish is None else dish_key(state.dish.name, demo=state.demo)
     history = read_history(journal, dish, now, days)
     figures = health_figures(history, state, now)
-    return DishHealth(dish, findings(history, state, now, unsaved), figures, _looked_at(figures, state))
+    return DishHealth(dish, findings(history, state, now, unsaved), figures, _looked_at(dish, figures, state))
 
 
-def _looked_at(figures: HealthFigures, state: StationState) -> str:
+def _looked_at(dish: str, figures: HealthFigures, state: StationState) -> str:
     link, stalls = figures.link, sum(each.stalls for each in figures.motors)
     moves = sum(each.moves for each in figures.motors)
     parts = [
         many(moves, "move"), many(stalls, "stall"), many(link.restarts, "restart"),
-        f"lost replies: {share(link.unanswered, link.asked)}" if link.asked else "no replies counted yet",
+        f"lost replies: {share(link.unanswered, link.asked)}" if link.asked else "no replies yet",
     ]  # fmt: skip
-    present = (
-        "The dish answers, and its present state is in here."
-        if state.link.state is LinkPhase.UP
-        else "The dish was not asked: its present state is unknown."
-    )
-    return f"Looked at {many(figures.days, 'day')}: {', '.join(parts)}. {present}"
+    of = f" of the {dish}" if dish else ""
+    return f"Looked at {many(figures.days, 'day')}{of}. Counted {', '.join(parts)}. {_present(state)}"
+
+
+def _present(state: StationState) -> str:
+    if state.link.state is LinkPhase.UP:
+        return "The dish answers, and its present state is in here."
+    why = "The dish was not asked"
+    if state.link.state is LinkPhase.SILENT:
+        why = "The dish was asked and did not answer"
+    elif state.link.state is LinkPhase.LOST and state.port:
+        why = "The dish could not be asked through its port"
+    return f"{why}: its present state is unknown."

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from datetime import UTC, date, datetime, timedelta
+from datetime import UTC, date, datetime, time, timedelta
 from pathlib import Path
 
 from birdcage.base.errors import StoreError
@@ -38,6 +38,8 @@ class WearDay:
 class Acknowledged:
     """Up to where a person has seen a finding."""
 
+    utc: datetime
+    """When."""
     latest: str
     """When it had happened last, as the journal writes times; empty for what only is so."""
     grade: float
@@ -65,8 +67,14 @@ class DishHistory:
 
     @property
     def begin(self) -> datetime:
-        """When the days begin that are judged."""
-        return self.now - timedelta(days=self.days)
+        """When the days begin that are judged: at 00:00 UTC of the first one."""
+        return datetime.combine(self.span[0], time(), UTC)
+
+    @property
+    def span(self) -> tuple[date, date]:
+        """The first UTC day that is judged, and the day after the last, which is today."""
+        end = self.now.astimezone(UTC).date() + timedelta(days=1)
+        return end - timedelta(days=self.days), end
 
     def recent_faults(self, reason: str) -> list[JournalEntry]:
         """Return the faults of one reason in the days that are judged, oldest first."""
@@ -154,7 +162,7 @@ def _read(connection: sqlite3.Connection, dish: str, now: datetime, days: int) -
     settings = connection.execute(
         "SELECT utc, dish, name, value FROM told_setting WHERE dish = ? ORDER BY id", (dish,)
     ).fetchall()
-    seen = connection.execute("SELECT finding, latest, grade FROM finding_seen WHERE dish = ?", (dish,)).fetchall()
+    seen = connection.execute("SELECT finding, utc, latest, grade FROM finding_seen WHERE dish = ?", (dish,)).fetchall()
     return DishHistory(
         dish, now, days,
         faults=tuple(map(entry_of, faults)),
@@ -166,7 +174,7 @@ def _read(connection: sqlite3.Connection, dish: str, now: datetime, days: int) -
         wear=tuple(WearDay(axis, date.fromisoformat(day), moves, degrees) for axis, day, moves, degrees in wear),
         totals=tuple(Wear(axis, moves, deg, turns, _time(began)) for axis, moves, deg, turns, began in totals),
         settings=tuple(ToldSetting(_time(utc), name, setting, value) for utc, name, setting, value in settings),
-        acknowledged={finding: Acknowledged(latest, grade) for finding, latest, grade in seen},
+        acknowledged={finding: Acknowledged(_time(utc), latest, grade) for finding, utc, latest, grade in seen},
     )  # fmt: skip
 
 
@@ -177,6 +185,7 @@ def _time(text: str) -> datetime:
 def acknowledge(journal: Path, dish: str, finding: Finding, now: datetime) -> None:
     """Keep that a person has seen a finding up to now; it returns once it has happened again, or is worse.
 
+    What only is so, and happens at no time, returns after the days that are judged if it is still so.
     StoreError where that can't be kept. ValueError for one that lasts until its cause is gone.
     """
     if finding.lasts:
@@ -197,13 +206,14 @@ def acknowledge(journal: Path, dish: str, finding: Finding, now: datetime) -> No
         connection.close()
 
 
-def unseen(findings: Sequence[Finding], acknowledged: Mapping[str, Acknowledged]) -> tuple[Finding, ...]:
-    """Return the findings that were never acknowledged, and those that have happened again since."""
-    return tuple(each for each in findings if not _is_seen(each, acknowledged.get(each.id)))
+def unseen(findings: Sequence[Finding], history: DishHistory) -> tuple[Finding, ...]:
+    """Return the findings that were never acknowledged, or too long ago, and those that have happened again since."""
+    since = history.now - timedelta(days=history.days)
+    return tuple(each for each in findings if not _is_seen(each, history.acknowledged.get(each.id), since))
 
 
-def _is_seen(finding: Finding, seen: Acknowledged | None) -> bool:
-    if seen is None or finding.lasts:
+def _is_seen(finding: Finding, seen: Acknowledged | None, since: datetime) -> bool:
+    if seen is None or finding.lasts or (finding.latest is None and seen.utc <= since):
         return False
     return _latest(finding) <= seen.latest and finding.grade <= seen.grade
 

@@ -23,19 +23,20 @@ BAD = 0.05
 def replies(seen: Examination) -> Iterator[Finding]:
     """Lost replies of the last days, against those before."""
     history = seen.history
-    tomorrow = seen.now.date() + timedelta(days=1)
+    tomorrow = history.span[1]
     begin = tomorrow - RECENT
     now, before = history.asked(begin, tomorrow), history.asked(tomorrow - timedelta(days=2 * history.days), begin)
     if now.asked < LEAST_ASKED or now.unanswered < LEAST_LOST:
         return
-    lost, earlier = now.unanswered / now.asked, before.unanswered / before.asked if before.asked else 0.0
+    lost, lost_before = now.unanswered / now.asked, before.unanswered / before.asked if before.asked else 0.0
     known_before = before.asked >= LEAST_ASKED
-    if lost < (SHARE if known_before else 2 * SHARE) or (known_before and lost < WORSE * max(earlier, BARE)):
+    if lost < (SHARE if known_before else 2 * SHARE) or (known_before and lost < WORSE * max(lost_before, BARE)):
         return
     compared = f" Before, it was {share(before.unanswered, before.asked)}." if known_before else ""
-    changed = ""
-    if known_before and now.adapter != before.adapter and len(now.adapter.split(", ")) == 1:
-        changed = " The adapter changed meanwhile. Try the one that was there before."
+    changed, earlier = "", before.adapter.split(", ")
+    if known_before and now.adapter not in earlier and all((now.adapter, *earlier)) and ", " not in now.adapter:
+        which = "the one" if len(earlier) == 1 else "one"
+        changed = f" The adapter changed meanwhile. Try {which} that was there before."
     noise = f" {many(now.stray_bytes, 'byte')} of noise came with them." if now.stray_bytes else ""
     bad = lost >= BAD
     yield Finding(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from datetime import datetime, timedelta
+from datetime import UTC, datetime, timedelta
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.base.journal_rows import IncidentKind, JournalEntry
@@ -16,7 +16,7 @@ from birdcage.station.state import FaultReason
 SAME_DEG = 2.0
 """Stalls so near to one another are at the same place: a dish coasts, and is read every tenth of a second."""
 ONE_SPELL = timedelta(hours=6)
-"""Stalls within this had the same cause, if there were none before or after: frost on one morning."""
+"""Stalls of an axis within this had the same cause, if it had none before or after: frost on one morning."""
 OVER = timedelta(hours=24)
 """For so long there must be none after them, or they may go on."""
 WIDE_DEG = 10.0
@@ -29,9 +29,10 @@ MUCH_TURNS, MUCH_MORE = 50.0, 3.0
 def failed_homing(seen: Examination) -> Iterator[Finding]:
     """An axis that did not find its reference: its angles mean nothing until it does."""
     for axis, faults in _by_axis(seen.of_reason(FaultReason.STALL, homing=True)):
+        name = f"homing.{axis or 'unknown'}"
         last, word = faults[-1].utc, axis_word(axis)
         remedies = {} if seen.facts is None else seen.facts.handling.home_remedies
-        todo = [remedies.get(axis) or f"Cut its power. Find what blocks {word}, and free it."]
+        todo = [remedies.get(axis) or f"Cut its power. Find what blocks {word if axis else 'it'}, and free it."]
         if axis not in remedies:
             todo.append(seen.home_it)
         if seen.facts is not None and seen.facts.handling.stow_by_hand:
@@ -39,41 +40,65 @@ def failed_homing(seen: Examination) -> Iterator[Finding]:
         moments = [each.utc for each in faults]
         if _has_homed_since(seen, axis, last):
             yield Finding(
-                f"homing.{axis}", Urgency.WILL_STOP,
+                name, Urgency.WILL_STOP,
                 f"{word} failed to home {how_often(moments, seen.now)}. Since then it has homed without that.",
                 "What kept it from its reference may do so again.", tuple(todo), moments[0], last, len(faults),
             )  # fmt: skip
             continue
         yield Finding(
-            f"homing.{axis}", Urgency.HURTS, f"{word} failed to home {how_often(moments, seen.now)}.",
+            name, Urgency.HURTS, f"{word} failed to home {how_often(moments, seen.now)}.",
             "It lost its reference, so its angles mean nothing: a move may run it into its stop.",
             ("Move nothing until it has found its reference.", *todo), moments[0], last, len(faults),
         )  # fmt: skip
 
 
 def _has_homed_since(seen: Examination, axis: str, then: datetime) -> bool:
-    """Return whether an axis was homed since, or a dish has started that homes by that. An angle proves nothing."""
+    """Return whether an axis was homed since, or a dish has started that homes by that. An angle proves nothing.
+
+    Of an axis that is not known, all have to be.
+    """
     boot = timedelta(seconds=seen.facts.boot_s if seen.facts is not None else 0.0)
-    homed = [each for each in seen.history.recent_incidents(IncidentKind.HOMED) if axis in each.sentence.split(", ")]
+    homed = {
+        name for each in seen.history.recent_incidents(IncidentKind.HOMED) if each.utc > then
+        for name in each.sentence.split(", ")
+    }  # fmt: skip
+    every = set() if seen.facts is None else {each.name for each in seen.facts.numbered.values()}
+    needed = {axis} if axis else every
     started = seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
     homes_itself = seen.facts is not None and seen.facts.homing_s is None
     # The boot text of the start in which it failed may come behind the failure.
-    return any(each.utc > then for each in homed) or (homes_itself and any(each.utc > then + boot for each in started))
+    return (bool(needed) and needed <= homed) or (homes_itself and any(each.utc > then + boot for each in started))
 
 
 def stalls(seen: Examination) -> Iterator[Finding]:
     """Axes that were kept from turning. Where and when they stalled tells by what, most likely."""
     found = seen.of_reason(FaultReason.STALL)
-    frost = len(found) > 1 and found[-1].utc - found[0].utc <= ONE_SPELL and seen.now - found[-1].utc >= OVER
     for axis, faults in _by_axis(found):
-        if frost:
-            yield _in_one_spell(seen, axis, faults)
-        elif (here := _at_one_place(axis, faults)) is not None:
+        if (here := _at_one_place(axis, faults)) is not None:
             yield _obstructed(seen, axis, faults, here)
+        elif _are_one_spell(seen, faults, found) and _has_moved_since(seen, axis, faults[-1].utc):
+            yield _in_one_spell(seen, axis, faults)
         elif _are_everywhere(axis, faults):
             yield _worn(seen, axis, faults)
         else:
             yield _stalled(seen, axis, faults)
+
+
+def _are_one_spell(seen: Examination, faults: Sequence[JournalEntry], found: Sequence[JournalEntry]) -> bool:
+    """Return whether the stalls of an axis lie close together, and with more than one of any axis; and are over."""
+    first, last = faults[0].utc, faults[-1].utc
+    near = [each for each in found if last - ONE_SPELL <= each.utc <= first + ONE_SPELL]
+    return last - first <= ONE_SPELL and len(near) > 1 and seen.now - last >= OVER
+
+
+def _has_moved_since(seen: Examination, axis: str, then: datetime) -> bool:
+    """Return whether an axis was sent on a later UTC day: wear is kept by day."""
+    numbered = {} if seen.facts is None else seen.facts.numbered
+    tomorrow, end = then.astimezone(UTC).date() + timedelta(days=1), seen.now.astimezone(UTC).date()
+    return any(
+        seen.history.worn(number, tomorrow, end + timedelta(days=1)).moves
+        for number, each in numbered.items() if each.name == axis
+    )  # fmt: skip
 
 
 def _stalled(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> Finding:
@@ -90,6 +115,7 @@ def _stalled(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> Fi
 
 def _obstructed(seen: Examination, axis: str, faults: Sequence[JournalEntry], here: list[JournalEntry]) -> Finding:
     place = round(_middle(axis, here))
+    place = place % round(TURN_DEG) if axis == "azimuth" else place
     others = len(faults) - len(here)
     rest = f" It stalled {times(others)} elsewhere, too." if others else ""
     heights = ""
@@ -157,7 +183,7 @@ def _what(seen: Examination, axis: str, faults: Sequence[JournalEntry]) -> str:
 
 
 def _where(axis: str, faults: Sequence[JournalEntry]) -> str:
-    words = at_angles(_angles(axis, faults))
+    words = at_angles(_angles(axis, faults), turns=axis == "azimuth")
     return f", {words}" if words else ""
 
 
@@ -235,10 +261,10 @@ def wear(seen: Examination) -> Iterator[Finding]:
     """An axis that turned much more than in the days before."""
     if seen.facts is None:
         return
-    today = seen.now.date() + timedelta(days=1)
-    begin, before = today - timedelta(days=seen.history.days), today - timedelta(days=2 * seen.history.days)
+    begin, end = seen.history.span
+    before = begin - timedelta(days=seen.history.days)
     for number, axis in seen.facts.numbered.items():
-        turns = seen.history.worn(number, begin, today).degrees / TURN_DEG
+        turns = seen.history.worn(number, begin, end).degrees / TURN_DEG
         earlier = seen.history.worn(number, before, begin).degrees / TURN_DEG
         if turns < MUCH_TURNS or not earlier or turns < MUCH_MORE * earlier:
             continue
@@ -248,7 +274,7 @@ def wear(seen: Examination) -> Iterator[Finding]:
             f"{turns / earlier:.0f} times as much as in the {seen.history.days} days before.",
             "Belts, gears, motors and the cable through the base wear with each turn.",
             ("Look at belt and cable once. `birdcage status` tells what each axis has done in all.",),
-            seen.now - timedelta(days=seen.history.days), grade=float(int(turns / earlier)),
+            seen.history.begin, grade=float(int(turns / earlier)),
         )  # fmt: skip
 
 

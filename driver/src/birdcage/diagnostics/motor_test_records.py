@@ -118,7 +118,7 @@ class MotorTestBook:
             )
             self.problem = None
         except (StoreError, sqlite3.Error) as error:
-            # The test has told what it found; that it is not kept is told, too.
+            # The test has told what it found. Who closes the book can tell that it is not kept.
             self.problem = f"Motor tests are not being kept: {error}"
             if self._connection is not None:
                 self._connection.close()

@@ -45,10 +45,8 @@ def no_room(axis: Axis, way_deg: float, least_deg: float, refused: str) -> str:
 
 def axis_words(test: MotorTest) -> str:
     """Say what was measured of an axis against what was expected, and what to do where it is far off."""
-    speed = figure_words(test.speed, "°/s", test.speed_nominal, "no greatest speed reached")
-    acceleration = figure_words(
-        test.acceleration, "°/s²", test.acceleration_nominal, "acceleration too quick to measure"
-    )
+    speed = figure_words(test.speed, "°/s", test.speed_nominal, "speed not measured")
+    acceleration = figure_words(test.acceleration, "°/s²", test.acceleration_nominal, "acceleration not measured")
     name = test.axis.capitalize()
     words = f"{name}: {speed}, {acceleration}, no stall seen over {test.way_deg:.0f}°."
     off = [

@@ -28,7 +28,9 @@ FEW = 3
 """So many restarts or losses are no accident any more."""
 
 
-ENDS = (IncidentKind.RESTART, IncidentKind.START, IncidentKind.BACK)
+BESIDE = timedelta(minutes=1)
+"""A dish that no longer knows where it points within this of a boot text has restarted once, and not twice."""
+ENDS = (IncidentKind.RESTART, IncidentKind.BACK)
 """What ends an outage."""
 
 
@@ -43,7 +45,7 @@ class Outage:
     @property
     def restarted(self) -> bool:
         """Whether it came back by a restart."""
-        return self.ended is not None and self.ended.kind in (IncidentKind.RESTART, IncidentKind.START)
+        return self.ended is not None and self.ended.kind is IncidentKind.RESTART
 
     @property
     def lasted(self) -> timedelta | None:
@@ -52,7 +54,16 @@ class Outage:
 
 
 def outages(seen: Examination) -> list[Outage]:
-    """Return the outages of the days that are judged, oldest first."""
+    """Return the outages that began in the days that are judged, oldest first."""
+    return [each for each in _all_outages(seen) if each.began.utc >= seen.history.begin]
+
+
+def _all_outages(seen: Examination) -> list[Outage]:
+    """Return all outages, oldest first.
+
+    A START is heard by a program that had not met the dish: the one that saw the outage has ended, and when the dish
+    came back is not known. Such an outage is left out.
+    """
     found: list[Outage] = []
     for each in seen.history.incidents:
         is_open = bool(found) and found[-1].ended is None
@@ -60,24 +71,39 @@ def outages(seen: Examination) -> list[Outage]:
             found.append(Outage(each, None))
         elif is_open and each.kind in ENDS:
             found[-1] = Outage(found[-1].began, each)
-    return [each for each in found if each.began.utc >= seen.history.begin]
+        elif is_open and each.kind is IncidentKind.START:
+            found.pop()
+    return found
+
+
+def all_restarts(seen: Examination) -> list[DishIncident]:
+    """Return the restarts of the days that are judged, whoever caused them, oldest first.
+
+    A dish that no longer knows where it points has restarted, too, though its boot text was not heard.
+    """
+    heard = seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
+    forgot = [
+        DishIncident(each.utc, each.dish, IncidentKind.RESTART, sentence=each.sentence)
+        for each in seen.of_reason(FaultReason.UNHOMED) if all(abs(each.utc - other.utc) > BESIDE for other in heard)
+    ]  # fmt: skip
+    return sorted([*heard, *forgot], key=lambda each: each.utc)
 
 
 def restarts(seen: Examination) -> Iterator[Finding]:
     """Restarts by themselves. While the dish moves they speak for a supply that sags under the motors."""
     switched = {
-        id(each.ended) for each in outages(seen)
+        id(each.ended) for each in _all_outages(seen)
         if each.restarted and each.lasted is not None and each.lasted > SWITCHED_OFF
     }  # fmt: skip
-    heard = [each for each in seen.history.recent_incidents(IncidentKind.RESTART) if id(each) not in switched]
-    forgot = [each.utc for each in seen.of_reason(FaultReason.UNHOMED)]
-    moments = sorted([each.utc for each in heard] + forgot)
-    if not moments:
+    every = all_restarts(seen)
+    by_itself = [each for each in every if each.kind is IncidentKind.RESTART and id(each) not in switched]
+    if not by_itself:
         return
-    count, moving = len(moments), sum(each.moving for each in heard)
+    moments = [each.utc for each in by_itself]
+    count, moving = len(by_itself), sum(each.moving for each in by_itself)
     what = f"The dish restarted {how_often(moments, seen.now)}"
-    meaning = _after_a_restart(seen)
-    if count > 1 and 2 * moving >= count:
+    meaning = f"{_not_counted(len(every) - count)} {_after_a_restart(seen)}".strip()
+    if moving > 1 and 2 * moving >= count:
         supply = "" if seen.facts is None else seen.facts.handling.supply
         yield Finding(
             "restarts", Urgency.STOPS,
@@ -101,6 +127,11 @@ def restarts(seen: Examination) -> Iterator[Finding]:
         ),
         moments[0], moments[-1], count,
     )  # fmt: skip
+
+
+def _not_counted(others: int) -> str:
+    """Say how many more restarts the figures have, so that both agree."""
+    return f"Not counted here: {others:,} that {'look' if others > 1 else 'looks'} like its switch." if others else ""
 
 
 def _after_a_restart(seen: Examination) -> str:
@@ -198,9 +229,3 @@ def losses(seen: Examination) -> Iterator[Finding]:
 def _pressing(seen: Examination, moments: list[datetime]) -> Urgency:
     day = [each for each in moments if each > seen.now - timedelta(days=1)]
     return Urgency.STOPS if len(day) >= FEW else Urgency.WILL_STOP
-
-
-def last_restart(seen: Examination) -> DishIncident | None:
-    """Return the last restart that was heard, whoever caused it; None if there was none."""
-    heard = seen.history.recent_incidents(IncidentKind.RESTART, IncidentKind.START)
-    return heard[-1] if heard else None

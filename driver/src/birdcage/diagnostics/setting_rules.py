@@ -12,6 +12,7 @@ from birdcage.diagnostics.wording import listed, on
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.rotator.feature import LNB_SUPPLY, POLARISATION, SLEEP_TIMER, TV_SEARCH, Range
 from birdcage.station.state import TvSearch
+from birdcage.station.wear import WEAR
 
 SUPPLY_V = Range(11.0, 21.0)
 """What an LNB is fed with, 13 or 18 V about (`docs/safety.md`, *The coax carries a voltage*)."""
@@ -51,7 +52,7 @@ def tv_search(seen: Examination) -> Iterator[Finding]:
         yield Finding(
             "search", Urgency.HURTS, "The TV search is on: at each power-up the dish moves by itself.",
             "It homes, and then goes through the sky for minutes.",
-            (f"{KEEP_CLEAR} Switch the search off: F8, or `birdcage init`.",), grade=1.0,
+            (f"{KEEP_CLEAR} Switch the search off: F8, or `birdcage init`.",), lasts=True,
         )  # fmt: skip
     elif switch is SearchSwitch.FOR_GOOD and seen.answers and search is TvSearch.UNKNOWN and saved is None:
         if seen.state.surveyed:
@@ -110,15 +111,16 @@ def pending(seen: Examination) -> Iterator[Finding]:
 
 
 def changed_limits(seen: Examination) -> Iterator[Finding]:
-    """Limits that differ from the last time."""
+    """Limits that differ from what held before the days that are judged, or from the first that was told."""
     told = [each for each in seen.history.settings if each.name != TV_SEARCH]
     for name in dict.fromkeys(each.name for each in told):
         mine = [each for each in told if each.name == name]
-        if len(mine) < 2 or mine[-1].utc < seen.history.begin:
+        known = [each for each in mine if each.utc < seen.history.begin] or mine[:1]
+        was, now = _degrees(known[-1].value), _degrees(mine[-1].value)
+        if was == now:
             continue
         feature = seen.facts.features.get(name) if seen.facts is not None else None
         label = name if feature is None else feature.label
-        was, now = _degrees(mine[-2].value), _degrees(mine[-1].value)
         yield Finding(
             f"limit.{name}", Urgency.WILL_STOP,
             f"{label} changed {on(mine[-1].utc, seen.now)}: {was} before, {now} now.",
@@ -154,7 +156,7 @@ def lnb(seen: Examination) -> Iterator[Finding]:
                 f"Switch the dish off at its {seen.switch}. Check the coax and its plugs for a short.",
                 "Anything else on that coax that takes current (DC block missing, splitter, SDR) may be the cause.",
             ),
-            grade=1.0,
+            lasts=True,
         )  # fmt: skip
     elif wanted is not None and not wanted[0].holds(volts):
         _range, word, usual = wanted
@@ -162,6 +164,7 @@ def lnb(seen: Examination) -> Iterator[Finding]:
             "lnb", Urgency.NOTE, f"The LNB's supply is {volts:.1f} V, but the receiver is tuned to a {word} channel.",
             f"A {word} channel needs {usual}, about: with another supply the LNB passes the other polarisation.",
             ("Tune to a transponder again (n on F3), or read the level of both polarisations (b on F3).",),
+            lasts=True,
         )  # fmt: skip
 
 
@@ -172,7 +175,7 @@ def journal(seen: Examination) -> Iterator[Finding]:
             "journal", Urgency.WILL_STOP, "The dish's history is not available, so this is only its present state.",
             seen.history.problem, (SEE_TO_IT,), lasts=True,
         )  # fmt: skip
-    elif lost := seen.state.warnings.get(JOURNAL):
+    elif lost := seen.state.warnings.get(JOURNAL) or seen.state.warnings.get(WEAR):
         yield Finding(
             "journal", Urgency.WILL_STOP, "What happens to the dish now is not being kept.", lost, (SEE_TO_IT,),
             lasts=True,

@@ -69,11 +69,18 @@ def listed(words: Sequence[str]) -> str:
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
 
 
-def at_angles(angles_deg: Iterable[float]) -> str:
-    """Return where something happened: `at 62° and 65°`, or `between 40° and 310°`; empty for no angles."""
-    whole = sorted({round(each) for each in angles_deg})
+def at_angles(angles_deg: Iterable[float], *, turns: bool = False) -> str:
+    """Return where something happened: `at 62° and 65°`, or `between 40° and 310°`; empty for no angles.
+
+    Of an axis that `turns` all round, they begin after the widest gap: `between 350° and 10°`.
+    """
+    whole = sorted({round(each) % 360 if turns else round(each) for each in angles_deg})
     if not whole:
         return ""
+    if turns:
+        gaps = [(each - whole[number - 1]) % 360 for number, each in enumerate(whole)]
+        first = gaps.index(max(gaps))
+        whole = whole[first:] + whole[:first]
     if len(whole) > MOST_LISTED:
         return f"between {whole[0]}° and {whole[-1]}°"
     return f"at {listed([f'{each}°' for each in whole])}"

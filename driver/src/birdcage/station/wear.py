@@ -10,11 +10,19 @@ from birdcage.station.station import Station
 
 EVERY_S = 10.0
 """How often it is written while the dish moves: a stream has several commands a second."""
+DEMO = " (demo)"
+WEAR = "wear"
+"""Under which subject a station warns that wear is not being kept."""
 
 
 def dish_key(name: str, *, demo: bool) -> str:
     """Return under which name the wear of a dish is kept: a simulated one wears nothing real."""
-    return f"{name} (demo)" if demo else name
+    return f"{name}{DEMO}" if demo else name
+
+
+def is_demo(key: str) -> bool:
+    """Return whether a `dish_key` is of a simulated dish."""
+    return key.endswith(DEMO)
 
 
 class WearTally:
@@ -25,6 +33,7 @@ class WearTally:
         self._sums: dict[int, list[float]] = {}
         self._direction: dict[int, float] = {}
         self._written_at = -math.inf
+        self._problem: str | None = None
 
     def take(self, way: AxisWay) -> None:
         """Take in that an axis was sent on; nothing counts that is no longer than half a step."""
@@ -43,7 +52,10 @@ class WearTally:
             self.write()
 
     def write(self) -> None:
-        """Hand on what was counted since."""
+        """Hand on what was counted since, and warn where what was handed on before could not be kept."""
+        if self._book.problem != self._problem:
+            self._problem = self._book.problem
+            self._station.warn(WEAR, self._problem or "")
         state = self._station.state
         if state.dish is None:
             return

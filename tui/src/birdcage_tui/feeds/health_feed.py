@@ -111,7 +111,7 @@ class HealthFeed:
 
             try:
                 acknowledge(journal, health.dish, finding, self._clock.utc())
-                words = "Acknowledged. It comes back when it happens again."
+                words = f"Acknowledged {finding.seen_until(health.figures.days)}."
             except (BirdcageError, OSError) as error:
                 words = str(error)
             self._soon(partial(self._have_told, words, say))

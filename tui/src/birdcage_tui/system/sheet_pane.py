@@ -209,7 +209,7 @@ def measured_lines(view: View) -> list[str]:
         return [why.removesuffix(" Nothing was sent.")]
     lines = []
     for test in view.health.motor_tests:
-        speed = figure_words(test.speed, "deg/s", test.speed_nominal, "speed not reached")
+        speed = figure_words(test.speed, "deg/s", test.speed_nominal, "speed not measured")
         acceleration = figure_words(test.acceleration, "deg/s²", test.acceleration_nominal, "acceleration not measured")
         stall = "no stall" if test.stalled_at_deg is None else f"stalled at {test.stalled_at_deg:.1f}°"
         age = age_text((view.utc - test.utc).total_seconds())

@@ -28,7 +28,8 @@ Exit status:
 @click.option("--days", type=click.IntRange(1, 365), default=30, show_default=True,
               help="How far back to look; as many days before that are compared with.")  # fmt: skip
 @click.option("--acknowledge", "seen", metavar="ID", multiple=True,
-              help="Keep that you have seen a finding. It returns when it happens again, or gets worse.")  # fmt: skip
+              help="Keep that you have seen a finding. It returns when it happens again or gets worse, and after "
+              "--days if it is still so.")  # fmt: skip
 @click.option("--quick", is_flag=True, help="Do not ask the dish: its history only.")
 @global_options()
 @click.pass_context
@@ -51,7 +52,7 @@ def command(context: click.Context, days: int, seen: tuple[str, ...], quick: boo
     journal = dish.paths.journal
     health = read_health(journal, state, now, dish=name, days=days)
     if seen:
-        _acknowledge(journal, health, seen, now)
+        _acknowledge(journal, health, seen, now, days)
         health = read_health(journal, state, now, dish=name, days=days)
     if flags().json:
         tell_json(health_values(health))
@@ -63,7 +64,7 @@ def command(context: click.Context, days: int, seen: tuple[str, ...], quick: boo
         context.exit(NOT_DONE)
 
 
-def _acknowledge(journal: Path, health: DishHealth, ids: tuple[str, ...], now: datetime) -> None:
+def _acknowledge(journal: Path, health: DishHealth, ids: tuple[str, ...], now: datetime, days: int) -> None:
     """Keep that these were seen; all of them, or none where one is not there. ConfigError then."""
     from birdcage.base.errors import ConfigError
     from birdcage.cli.say import say
@@ -78,4 +79,4 @@ def _acknowledge(journal: Path, health: DishHealth, ids: tuple[str, ...], now: d
             raise ConfigError(f"{found[each].text} That can't be acknowledged: it goes with its cause.")
     for each in ids:
         acknowledge(journal, health.dish, found[each], now)
-        say(f"Acknowledged until it happens again: {found[each].text}")
+        say(f"Acknowledged {found[each].seen_until(days)}: {found[each].text}")
