@@ -6,7 +6,6 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-import textual._time
 import textual.app
 import textual.pilot
 from birdcage.base.presets import Preset, add_preset
@@ -44,8 +43,7 @@ ONE_IN = 10
 def _never_wait(monkeypatch):
     """Let time jump where the app only waits for it."""
     before = asyncio.get_event_loop_policy()
-    asyncio.set_event_loop_policy(jumping_loop.Policy())
-    monkeypatch.setattr(textual._time, "get_time", jumping_loop.loop_time)
+    jumping_loop.let_time_jump(monkeypatch.setattr)
     undrawn, passed = {}, Counter()
 
     async def settle(*_):
@@ -65,12 +63,6 @@ def _never_wait(monkeypatch):
         undrawn[compositor] = screen_stack
         return None
 
-    async def all_is_taken_in(pilot, timeout=30.0):
-        # Textual asks each widget to call back. Here the loop itself knows that none has a message left.
-        await asyncio.get_running_loop().idle()
-        return not pilot.app._exception_event.is_set()
-
-    monkeypatch.setattr(textual.pilot.Pilot, "_wait_for_screen", all_is_taken_in)
     monkeypatch.setattr(Compositor, "render_update", render_later)
     monkeypatch.setattr(textual.app, "wait_for_idle", settle)
     monkeypatch.setattr(textual.pilot, "wait_for_idle", settle)
