@@ -50,11 +50,15 @@ def test_a_carryout_of_2003_tells_where_it_is_while_it_moves(start) -> None:
 
 
 def test_a_carryout_of_2003_has_no_position_to_print(run) -> None:
-    told = " ".join(run("sim", "--help").stdout.split())
-    assert "--firmware is g2, hal205 or carryout (a Carryout of 2003)." in told
     driven = run("pos", port="sim:carryout", firmware="carryout")
     assert driven.exit_code != 0
     assert "This dish does not tell where it points." in driven.stderr
+
+
+def test_a_dish_that_is_not_simulated_is_answered_with_the_names_of_those_that_are(run) -> None:
+    told = run("sim", "--firmware", "nosuch").stderr
+    for name in ("carryout", "g2", "hal205"):
+        assert name in told
 
 
 @pytest.mark.parametrize("words", [

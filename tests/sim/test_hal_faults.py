@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.sim.control import obey
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.port import FIRMWARE, open_device
+from birdcage.sim.port import firmware_names, open_device
 from birdcage.sim.settings import option_names
 
 
@@ -129,7 +129,7 @@ def test_a_deadlocked_shell_leaves_the_motors_to_their_queue(motor):
     assert (truth.az_deg, truth.el_deg) == pytest.approx((200.0, 60.0))
 
 
-@pytest.mark.parametrize("firmware", list(FIRMWARE))
+@pytest.mark.parametrize("firmware", list(firmware_names()))
 class TestAll:
     """What the control port does to any of them."""
 

@@ -37,7 +37,7 @@ def test_discard_and_close(terminal):
     ("address", "hint"),
     [
         ("g3", "did you mean g2"),
-        ("", "there is g2"),
+        ("", "there is .*g2"),
         ("g2?secondmove=queue", "did you mean second_move"),
         ("g2?zzz=1", "root_q"),
         ("g2?root_q=die", "error, ignore, kill"),

@@ -30,7 +30,7 @@ class DishHealth:
     findings: tuple[Finding, ...]
     figures: HealthFigures
     looked_at: str
-    """What was looked at, in sentences: `Looked at 30 days of the Carryout G2. Counted …`."""
+    """What was looked at, in sentences: `Looked at 30 days of a dish. Counted …`."""
 
     @property
     def headline(self) -> str:

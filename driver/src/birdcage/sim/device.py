@@ -8,10 +8,9 @@ from collections.abc import Callable
 
 from birdcage.base.clock import Clock
 from birdcage.sim.dish import DishTruth
-from birdcage.sim.firmware import Firmware, FirmwareHost
+from birdcage.sim.firmware import Firmware, FirmwareHost, MakeShell, Shell, console_shell
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import SimSettings
-from birdcage.sim.shell import ConsoleShell
 from birdcage.sim.stance import Stance
 from birdcage.sim.wire import SimWire
 
@@ -19,7 +18,13 @@ from birdcage.sim.wire import SimWire
 class Device:
     """One dish. Every method may be called from any thread; each brings the dish up to date first."""
 
-    def __init__(self, settings: SimSettings, clock: Clock, build: Callable[[FirmwareHost], Firmware]) -> None:
+    def __init__(
+        self,
+        settings: SimSettings,
+        clock: Clock,
+        build: Callable[[FirmwareHost], Firmware],
+        make_shell: MakeShell = console_shell,
+    ) -> None:
         self.settings = settings
         self.lock = threading.RLock()
         self.machine = Machine(clock)
@@ -33,7 +38,7 @@ class Device:
         self.dish = self.firmware.dish
         self.stance = Stance(settings)
         self.wire = SimWire(settings, self.firmware.baud)
-        self.shell = ConsoleShell(self.machine, settings, self.firmware.menus, self._send, self._echo)
+        self.shell: Shell = make_shell(self.machine, settings, self.firmware, self._send, self._echo)
         if settings.boot:
             self.shell.play(self.firmware.boot())
         else:

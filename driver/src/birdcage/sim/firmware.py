@@ -2,20 +2,51 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, Protocol
+from collections import deque
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Generic, Protocol
 
 from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.dish import DishMechanics, DishTruth
 from birdcage.sim.machine import Machine
+from birdcage.sim.settings import AnySettings, SimSettings
 from birdcage.sim.shell import ConsoleShell, Menu, Script
+
+Send = Callable[[bytes], None]
+"""Takes bytes that are to go over the wire."""
+
+
+class Shell(Protocol):
+    """What reads the wire and answers: a `ConsoleShell`, or whatever a machine without menus has."""
+
+    menu: str
+    """Where it is; `root` where there are no menus."""
+    alive: bool
+    """Whether it answers until the next power cycle."""
+    hears: Callable[[bytes], bytes]
+    """What gets through of what comes off the wire."""
+    received: deque[tuple[float, str]]
+    """Lines that were begun, with the monotonic time of each; bounded."""
+
+    def feed(self, data: bytes) -> None:
+        """Take bytes off the wire."""
+
+    def say(self, text: str) -> None:
+        """Print something unsolicited."""
+
+    def play(self, script: Script) -> None:
+        """Run a script as if a command had started it: the boot log."""
+
+    def reset(self, *, alive: bool = True) -> None:
+        """Lose everything, as in a reboot; `alive` False leaves it dead."""
 
 
 class FirmwareHost(Protocol):
     """The device that a firmware runs in."""
 
     machine: Machine
-    shell: ConsoleShell
+    shell: Shell
     """There once the firmware is built."""
 
     def truth(self) -> DishTruth:
@@ -57,3 +88,24 @@ class Firmware(Protocol):
 
     def stalled(self, axis: AxisMechanics) -> None:
         """Take note that a moving axis was blocked, and that the motor has stopped."""
+
+
+MakeShell = Callable[[Machine, SimSettings, Firmware, Send, Send], Shell]
+"""Machine, knobs, firmware, what sends an answer, and what sends an echo."""
+
+
+def console_shell(machine: Machine, settings: SimSettings, firmware: Firmware, send: Send, echo: Send) -> Shell:
+    """Return the shell of a firmware with menus."""
+    return ConsoleShell(machine, settings, firmware.menus, send, echo)
+
+
+@dataclass(frozen=True, slots=True)
+class FirmwareKind(Generic[AnySettings]):
+    """A simulated firmware: the knobs that it has, how it is built into a device, and what reads its wire.
+
+    Each is an entry point of the group `birdcage.twins`: its name follows `sim:`, as in `sim:g2`.
+    """
+
+    settings: type[AnySettings]
+    build: Callable[[AnySettings, FirmwareHost], Firmware]
+    shell: MakeShell = console_shell

@@ -5,40 +5,20 @@ from __future__ import annotations
 import difflib
 import math
 import threading
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any, Generic
+from importlib.metadata import entry_points
+from typing import Any
 
 from birdcage.base.clock import Clock
-from birdcage.sim.carryout.firmware import CarryoutFirmware
-from birdcage.sim.carryout.knobs import CarryoutSettings
 from birdcage.sim.device import Device
 from birdcage.sim.dish import DishMechanics
-from birdcage.sim.firmware import Firmware, FirmwareHost
-from birdcage.sim.g2.firmware import G2Firmware
-from birdcage.sim.g2.knobs import G2Settings
-from birdcage.sim.hal.firmware import Hal205Firmware
-from birdcage.sim.hal.knobs import HalSettings
+from birdcage.sim.firmware import FirmwareKind
 from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.sim.rig_port import RigPort
-from birdcage.sim.settings import AnySettings, parse_query
+from birdcage.sim.settings import parse_query
 from birdcage.sim.wire import SimWire
 
-
-@dataclass(frozen=True, slots=True)
-class FirmwareKind(Generic[AnySettings]):
-    """A firmware: the knobs that it has, and how it is built into a device."""
-
-    settings: type[AnySettings]
-    build: Callable[[AnySettings, FirmwareHost], Firmware]
-
-
-FIRMWARE: dict[str, FirmwareKind[Any]] = {
-    "g2": FirmwareKind(G2Settings, G2Firmware),
-    "hal205": FirmwareKind(HalSettings, Hal205Firmware),
-    "carryout": FirmwareKind(CarryoutSettings, CarryoutFirmware),
-}
-"""Every simulated firmware by the name that follows `sim:`."""
+TWINS = "birdcage.twins"
+"""Packages name simulated firmwares here: name = `module:attribute` of a `FirmwareKind`; ours, too."""
 
 _named: dict[str, Device] = {}
 _named_lock = threading.Lock()
@@ -142,6 +122,22 @@ class SimPort:
             raise ConnectionError(f"{self.name}: the wire is gone")
 
 
+def firmware_names() -> tuple[str, ...]:
+    """Return the names of all simulated firmwares, in order."""
+    return tuple(sorted(each.name for each in entry_points(group=TWINS)))
+
+
+def kind_of(firmware: str) -> FirmwareKind[Any]:
+    """Return a simulated firmware. ValueError, naming those that exist, for any other."""
+    for each in entry_points(group=TWINS, name=firmware):
+        kind: FirmwareKind[Any] = each.load()
+        return kind
+    names = firmware_names()
+    near = difflib.get_close_matches(firmware, names, n=1, cutoff=0.3)
+    hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(names)}"
+    raise ValueError(f"no simulated dish is called {firmware!r}: {hint}")
+
+
 def open_device(address: str, *, clock: Clock) -> Device:
     """Make the dish that `address` describes: `g2`, or `g2?second_move=queue&seed=3`.
 
@@ -152,15 +148,11 @@ def open_device(address: str, *, clock: Clock) -> Device:
 
     """
     firmware, _, query = address.partition("?")
-    if firmware not in FIRMWARE:
-        near = difflib.get_close_matches(firmware, FIRMWARE, n=1, cutoff=0.3)
-        hint = f"did you mean {near[0]}?" if near else f"there is {', '.join(FIRMWARE)}"
-        raise ValueError(f"no simulated dish is called {firmware!r}: {hint}")
-    kind = FIRMWARE[firmware]
+    kind = kind_of(firmware)
     settings = parse_query(query, kind.settings)
 
     def make() -> Device:
-        return Device(settings, clock, lambda host: kind.build(settings, host))
+        return Device(settings, clock, lambda host: kind.build(settings, host), kind.shell)
 
     if not settings.id:
         return make()

@@ -45,7 +45,7 @@ def run_simulator(
     """Serve a dish until SIGINT, SIGTERM or SIGHUP, and return the exit status, 0.
 
     Args:
-        firmware: `g2`, `hal205` or `carryout`.
+        firmware: a name of `birdcage.sim.port.firmware_names`.
         speed: how many times faster than real time its mechanics and its UTC run.
         seed: of every random figure.
         unhomed: start with no axis homed.

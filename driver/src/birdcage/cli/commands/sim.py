@@ -32,8 +32,8 @@ def command(
 ) -> None:  # fmt: skip
     """Simulate a dish that any program can talk to: prints the port, and serves until Ctrl+C.
 
-    With --json it prints one line: {"port": …, "firmware": …, "control": …}. --firmware is g2, hal205 or
-    carryout (a Carryout of 2003).
+    With --json it prints one line: {"port": …, "firmware": …, "control": …}. Any --firmware that is not simulated
+    is answered with the names of those that are.
     -o second_move=block makes a G2 refuse motor commands on the axis that runs, and -o second_other=block those on the
     other axis. -o move_reply=none makes it answer a move with nothing.
     --rig serves a receiver as Hamlib's rigctld does, heard through the dish's beam: `rigctl -m 2 -r 127.0.0.1:PORT l

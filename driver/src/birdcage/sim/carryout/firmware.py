@@ -10,7 +10,7 @@ from birdcage.sim.carryout.mechanics import CarryoutDish
 from birdcage.sim.carryout.menus import CarryoutMenu, CarryoutNvsMenu, CarryoutRootMenu, OsMenu
 from birdcage.sim.carryout.search import CarryoutSearch
 from birdcage.sim.carryout.target import TargetMenu
-from birdcage.sim.firmware import FirmwareHost
+from birdcage.sim.firmware import FirmwareHost, FirmwareKind
 from birdcage.sim.shell import Menu, Script
 
 
@@ -53,3 +53,6 @@ class CarryoutFirmware:
     def stalled(self, axis: AxisMechanics) -> None:  # noqa: ARG002
         """Say so (setting `stall_text`)."""
         self.board.stalled()
+
+
+KIND = FirmwareKind(CarryoutSettings, CarryoutFirmware)

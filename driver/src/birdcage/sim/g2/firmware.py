@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
-from birdcage.sim.firmware import FirmwareHost
+from birdcage.sim.firmware import FirmwareHost, FirmwareKind
 from birdcage.sim.g2.a3981 import A3981Menu
 from birdcage.sim.g2.adc import AdcMenu
 from birdcage.sim.g2.board import G2Board
@@ -101,3 +101,6 @@ def menus(board: G2Board) -> dict[str, Menu]:
         "peak": PeakMenu(board),
         "step": StepMenu(board),
     }
+
+
+KIND = FirmwareKind(G2Settings, G2Firmware)

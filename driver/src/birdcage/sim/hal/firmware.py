@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from birdcage.sim.axis import AxisMechanics
-from birdcage.sim.firmware import FirmwareHost
+from birdcage.sim.firmware import FirmwareHost, FirmwareKind
 from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.boot import boot_log, restart_log
 from birdcage.sim.hal.knobs import HalSettings
@@ -52,3 +52,6 @@ class Hal205Firmware:
     def stalled(self, axis: AxisMechanics) -> None:
         """Say so (setting `stall_text`), and begin the move that waits."""
         self.board.stalled(axis)
+
+
+KIND = FirmwareKind(HalSettings, Hal205Firmware)
