@@ -41,7 +41,7 @@ def test_the_worst_comes_first_with_what_to_do_and_the_status_says_that_somethin
         "motors, 30 days; turns before: in the 30 days before them"
     )
     assert next(line for line in lines if line.startswith("azimuth ")).split()[1] == "4"
-    assert "2 need you." in said.stderr
+    assert "2 findings need attention." in said.stderr
 
 
 def test_what_was_acknowledged_is_gone_until_it_happens_again(run, made, as_json):
@@ -51,7 +51,7 @@ def test_what_was_acknowledged_is_gone_until_it_happens_again(run, made, as_json
     assert said.exit_code == 0
     assert "Acknowledged until it happens again: AZ stalled 4 times" in said.stderr
     quiet = run("health", "--quick")
-    assert (quiet.exit_code, quiet.stdout.splitlines()[0]) == (0, "✓ Nothing needs you.")
+    assert (quiet.exit_code, quiet.stdout.splitlines()[0]) == (0, "✓ Nothing needs attention.")
     MadeHistory().stall(0, "azimuth", 118.0, 30.0, hour=0.0).write(journal)
     again = as_json(run("health", "--quick", "--json"))
     assert [(each["id"], each["count"]) for each in again["findings"]] == [("stall.azimuth", 5)]

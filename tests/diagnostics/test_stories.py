@@ -144,7 +144,7 @@ def test_a_dish_that_homes_by_itself_has_to_start_once_more_for_that(judged):
 def test_everything_fine(judged):
     health = judged(MadeHistory().ordinary().off_and_on(3).off_and_on(9).gap(12, 4.0))
     assert health.findings == ()
-    assert health.headline == "Nothing needs you."
+    assert health.headline == "Nothing needs attention."
     assert not health.needs_you
     assert health.looked_at.startswith("Looked at 30 days of the Carryout G2. Counted 1,")
     assert "0 stalls, 2 restarts, lost replies: " in health.looked_at

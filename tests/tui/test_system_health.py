@@ -1,4 +1,4 @@
-"""F4, Health: what needs you comes first, with what to do; what was seen goes until it happens again."""
+"""F4, Health: what needs attention comes first, with what to do; what was seen goes until it happens again."""
 
 import re
 
@@ -60,7 +60,7 @@ def test_where_there_is_room_the_days_stand_one_beside_the_other(size):
 
 def test_where_nothing_is_wrong_it_says_so_and_what_was_looked_at():
     text, _ = shown(health_stand_in.WELL)
-    assert "● Nothing needs you." in text
+    assert "● Nothing needs attention." in text
     assert "Looked at 30 days." in text
 
 

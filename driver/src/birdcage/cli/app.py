@@ -28,7 +28,7 @@ COMMANDS = {
     "serve": "Drive the dish for Gpredict, SatNOGS, SatDump and others, over the network.",
     "station": "Drive the dish without a face, for programs that attach.",
     "status": "Print the state of the dish.",
-    "health": "Say what of the dish needs you, and what to do.",
+    "health": "Show what needs attention, most urgent first, and what to do.",
     "events": "Print what happens to the dish, as the program that drives it reports.",
     "detect": "Find out which firmware answers on the port, with the evidence.",
     "ports": "List the serial ports of this machine.",

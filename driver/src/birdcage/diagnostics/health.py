@@ -35,7 +35,7 @@ class DishHealth:
     @property
     def headline(self) -> str:
         """The most urgent finding, or that there is none."""
-        return self.findings[0].text if self.findings else "Nothing needs you."
+        return self.findings[0].text if self.findings else "Nothing needs attention."
 
     @property
     def needs_you(self) -> bool:

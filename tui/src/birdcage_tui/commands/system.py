@@ -53,7 +53,7 @@ def _health(name: str, keys: tuple[str, ...], shown: str, title: str, text: str,
 
 
 SYSTEM = (
-    _tab("health", "h", "Health", "What needs you, and what to do about it."),
+    _tab("health", "h", "Health", "What needs attention, and what to do about it."),
     _tab("hardware", "b", "Hardware", "Firmware, board, drivers, pins, switches, memory."),
     _tab("motors", "m", "Motors", "Speeds, accelerations, gains, positions; what may be set."),
     _tab("settings", "n", "NVS", "The dish's own settings: look, edit, save, back up, restore."),

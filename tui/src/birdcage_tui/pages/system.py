@@ -1,4 +1,4 @@
-"""F4: what the dish says of itself, what needs you first. The tab that is seen reads, and no other."""
+"""F4: what the dish says of itself, what needs attention first. The tab that is seen reads, and no other."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ class SystemPage(Page):
     """A row of tabs over the one that is seen."""
 
     HELP = (
-        "The dish from inside. h: what needs you. b: hardware. m: motors. n: its own settings (NVS). d: its receiver. "
-        "Only the tab that you see asks the dish, and only while it rests."
+        "The dish from inside. h: what needs attention. b: hardware. m: motors. n: its own settings (NVS). "
+        "d: its receiver. Only the tab that you see asks the dish, and only while it rests."
     )
     DEFAULT_CSS = """
     SystemPage { layout: vertical; }

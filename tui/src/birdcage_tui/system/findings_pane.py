@@ -1,4 +1,4 @@
-"""The Health tab: what needs you, the most urgent first, and what to do about it."""
+"""The Health tab: what needs attention, the most urgent first, and what to do about it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class FindingsPane(CursorPane):
     """Findings to choose from."""
 
     HELP = (
-        "What needs you, the most urgent first: from what every birdcage program has kept of this dish, and its "
+        "What needs attention, the most urgent first: from what every birdcage program has kept of this dish, and its "
         "present state. Enter explains, and says what to do. a: you have seen it; it comes back when it happens again. "
         "What goes by itself stays until its cause is gone."
     )
@@ -99,7 +99,7 @@ class FindingsPane(CursorPane):
             known = view.state.dish is not None
             lines = [("dim", "Reading the journal …" if known else "The dish is not known yet.")]
         else:
-            lines = [("good", "● Nothing needs you.")]
+            lines = [("good", "● Nothing needs attention.")]
             lines += [("dim", line) for line in wrap(now.health.looked_at, max(cells.width - 2, 10))]
         for y, (ink, words) in enumerate(lines):
             cells.put(1, y, words, ink)

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 EPILOG = """\b
 Exit status:
-  0    nothing needs you; there may be notes
+  0    nothing needs attention; there may be notes
   1    something does
   2    wrong command line or settings
   70   a fault of birdcage
@@ -28,18 +28,18 @@ Exit status:
 @click.option("--days", type=click.IntRange(1, 365), default=30, show_default=True,
               help="How far back to look; as many days before that are compared with.")  # fmt: skip
 @click.option("--acknowledge", "seen", metavar="ID", multiple=True,
-              help="Keep that you have seen a finding. It returns when it happens again or gets worse, and after "
+              help="Mark a finding as seen. It returns when it happens again or gets worse, and after "
               "--days if it is still so.")  # fmt: skip
 @click.option("--quick", is_flag=True, help="Do not ask the dish: its history only.")
 @global_options()
 @click.pass_context
 def command(context: click.Context, days: int, seen: tuple[str, ...], quick: bool) -> None:
-    """Say what of the dish needs you, the most urgent first, and what to do.
+    """Show what needs attention, most urgent first, and what to do.
 
     It goes by the history that every birdcage program keeps: stalls, restarts, lost replies, wear. If the dish
     answers, or another birdcage program has its port, its present state counts too. Nothing is moved.
 
-    ✗ needs you now, ! will, · is worth knowing. Turns are degrees there and back, in full circles.
+    ✗ needs attention now, ! soon, · is worth knowing. Turns are degrees there and back, in full circles.
     """
     from birdcage.base.clock import RealClock
     from birdcage.cli.health_look import look, whose
@@ -60,7 +60,7 @@ def command(context: click.Context, days: int, seen: tuple[str, ...], quick: boo
         tell_health(health)
     left = sum(each.needs_you for each in health.findings)
     if left:
-        say(f"{left} {'needs' if left == 1 else 'need'} you.")
+        say("1 finding needs attention." if left == 1 else f"{left} findings need attention.")
         context.exit(NOT_DONE)
 
 
