@@ -6,7 +6,10 @@ import json
 from pathlib import Path
 
 import pytest
+from birdcage.base.errors import NoReply
 from birdcage.base.paths import Paths
+from birdcage.cli.exits import EndedBySignal
+from birdcage.cli.settings_desk import said_when_cut_short
 from pty_dish import PtyDish
 
 ALL = "seed=1&nvs_rows=all"
@@ -248,6 +251,46 @@ def test_after_a_kill_in_the_middle_the_next_command_says_where_each_row_stands(
     assert json.loads(nvs("get", 16, "--json").stdout)["unfinished"] is None
 
 
+def test_a_dump_of_a_simulated_dish_is_not_restored_into_this_one(run, nvs, pty_dish, tmp_path):
+    file = tmp_path / "demo.txt"
+    assert run("nvs", "dump", file, port="sim:g2").exit_code == 0
+    done = nvs("restore", file, "--yes")
+    assert f"{file} is of a simulated dish. Nothing was sent." in done.stderr
+    assert sent(pty_dish) == []
+    assert run("nvs", "restore", file, "--yes", port="sim:g2").exit_code == 0
+
+
+def test_a_restore_says_what_only_its_save_changes_and_saves_nothing_else(nvs, pty_dish, tmp_path, monkeypatch):
+    before = tmp_path / "before.txt"
+    nvs("dump", before)
+    nvs("set", 27, 90, 22, 7, "--yes")
+    nvs("save", "--yes")
+    nvs("set", 27, 120, "--yes")
+    nvram = pty_dish.device.board.nvram
+
+    def agree(_question, _yes):
+        nvram.ram[41] = 9  # by another program, while the person reads
+
+    monkeypatch.setattr("birdcage.cli.settings_words.agree", agree)
+    done = nvs("restore", before)
+    assert "Row 27 Circle RPM: 90 -> 120 in flash" in done.stderr
+    assert "Row 22" in done.stderr
+    assert "row 41 is" in done.stderr
+    assert "was not shown" in done.stderr
+    assert "s" not in sent(pty_dish)[-1:]
+    assert nvram.flash[27] == 90
+
+
+def test_a_save_keeps_only_what_was_shown(nvs, pty_dish, monkeypatch):
+    nvs("set", 27, 90, "--yes")
+    nvram = pty_dish.device.board.nvram
+    monkeypatch.setattr("birdcage.cli.settings_words.agree", lambda _question, _yes: nvram.ram.update({22: 7}))
+    done = nvs("save")
+    assert done.exit_code != 0
+    assert "row 22 is 7 and was not shown" in done.stderr
+    assert nvram.flash[27] == 120
+
+
 def test_a_restore_saves_where_flash_alone_differs(nvs, pty_dish, tmp_path):
     before = tmp_path / "before.txt"
     nvs("dump", before)
@@ -257,3 +300,10 @@ def test_a_restore_saves_where_flash_alone_differs(nvs, pty_dish, tmp_path):
     done = nvs("restore", before, "--yes")
     assert "byte for byte" in done.stderr
     assert pty_dish.device.board.nvram.flash[27] == 120
+
+
+@pytest.mark.parametrize("ended", [KeyboardInterrupt, EndedBySignal(15), NoReply("Silence.")], ids=str)
+def test_what_cuts_a_write_short_says_how_to_see_each_row(ended):
+    with pytest.raises((EndedBySignal, NoReply)) as raised, said_when_cut_short():
+        raise ended
+    assert raised.value.__notes__ == ["`birdcage nvs dump` shows what became of each row."]

@@ -5,12 +5,12 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 import pytest
-from birdcage.base.errors import StoreError
+from birdcage.base.errors import CommandRefused, OutOfRange, StoreError
 from birdcage.rotator import machines
 from birdcage.rotator.own_settings import SettingRow, SettingsTable
 from birdcage.rotator.setting_values import given_value
-from birdcage.rotator.settings_compare import differences, is_saved, lines_of_no_row
-from birdcage.rotator.settings_file import read_settings_text, settings_text
+from birdcage.rotator.settings_compare import differences, is_saved, lines_of_no_row, restoring, saved_after
+from birdcage.rotator.settings_file import SettingsDump, read_settings_text, settings_text
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -105,3 +105,38 @@ def test_a_row_differs_by_what_counts_now_and_from_the_next_power_cycle():
     assert found == [(1, "5", "7 in RAM, 5 saved"), (2, "6", None), (3, None, "8")]
     assert not is_saved(one, SettingsTable((), {1: one[1]}))
     assert is_saved({1: one[1]}, SettingsTable((), {1: other[1]}))
+
+
+ELEVATION = SettingRow(101, "Minimum Elevation Angle", "95.00", "95.00", "18.00")
+
+
+def restored(rows, table_rows, *, demo=False, dump=None):
+    table, own = SettingsTable((), {row.index: row for row in table_rows}), of("g2")
+    dump = dump or SettingsDump((), firmware="g2")
+    return restoring(dump, {row.index: row for row in rows}, table, "g2", own.known, "a.txt", demo=demo)
+
+
+def test_a_dump_of_a_simulated_dish_goes_into_a_simulated_one_alone():
+    dump = SettingsDump((), firmware="g2", demo=True)
+    with pytest.raises(CommandRefused, match=r"a\.txt is of a simulated dish\. Nothing was sent"):
+        restored([ELEVATION], [ELEVATION], dump=dump)
+    assert restored([ELEVATION], [ELEVATION], dump=dump, demo=True) == {}
+
+
+def test_a_row_that_need_not_be_written_is_not_judged():
+    assert restored([ELEVATION], [ELEVATION]) == {}
+    with pytest.raises(OutOfRange, match="beyond its limit"):
+        restored([ELEVATION], [SettingRow(101, ELEVATION.name, "18.00", "18.00", "18.00")])
+
+
+def test_one_value_in_two_forms_is_not_unsaved():
+    rows = {1: SettingRow(1, "x", "18.00", "18", "5"), 2: SettingRow(2, "y", "6", "7", "6")}
+    table = SettingsTable((), rows)
+    assert [row.index for row in table.unsaved] == [2]
+    assert table.to_save == {2: "6"}
+    assert SettingsTable((), {1: SettingRow(1, "x", "5", None, None)}).to_save == {1: "5"}, "flash is not told"
+
+
+def test_what_a_save_keeps_after_a_write_is_known_before():
+    rows = {each: SettingRow(each, "x", "5", saved, "5") for each, saved in ((1, "5"), (2, "6"), (3, "7"))}
+    assert saved_after(SettingsTable((), rows), {1: "8", 2: "6"}) == {1: "8", 3: "5"}

@@ -13,11 +13,12 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.errors import CommandRefused, NoReply
+from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWritten
 from birdcage.station import control_caller
 from birdcage.station.control_client import OwnerGone, call_owner, find_owner, find_owners, owner_file
-from birdcage.station.control_messages import ControlCall, TellStatus, as_line, call_to_json
+from birdcage.station.control_messages import LONGEST_LINE, ControlCall, TellStatus, as_line, call_to_json
 from birdcage.station.control_server import ControlServer
-from birdcage.station.requests import Goto, Read, Set, Stop, Watch
+from birdcage.station.requests import Goto, Read, ReadSettings, SaveSettings, Set, Stop, Watch, WriteSettings
 from birdcage.station.state import LinkPhase
 
 from .owner_stand_in import OwnerStandIn
@@ -62,7 +63,7 @@ def test_status_is_the_report(owner, folder) -> None:
 
 
 @pytest.mark.parametrize("line", [
-    b"", b"stop\n", b"[]\n", b'{"do": "stop"}\n', b'{"do": "stop", "token": "wrong"}\n', b"x" * 10000,
+    b"", b"stop\n", b"[]\n", b'{"do": "stop"}\n', b'{"do": "stop", "token": "wrong"}\n', b"x" * 40_000,
 ])  # fmt: skip
 def test_without_the_token_nothing_happens(owner, folder, line) -> None:
     owner.link(LinkPhase.UP)
@@ -88,7 +89,7 @@ def test_a_caller_that_says_nothing_does_not_keep_a_stop_waiting(owner, folder) 
 @pytest.mark.parametrize(("request_", "said"), [
     (Goto(180.0, 45.0, "you"), 'can\'t do that: "Goto" is no request here. There are Stop, HoldDish, Release,'),
     (Watch("you", frozenset({"rssi"})), "can't do that: A watch lasts as long as its caller listens."),
-    (Read(("x" * 5000,)), "ask for less"),
+    (Read(("x" * LONGEST_LINE,)), "ask for less"),
 ])  # fmt: skip
 def test_what_a_living_owner_does_not_take_leaves_it_reachable_for_stop(owner, folder, request_, said) -> None:
     owner.link(LinkPhase.UP)
@@ -134,7 +135,7 @@ def test_a_wrong_token_of_any_kind_is_refused(owner, folder, token) -> None:
 def test_a_line_of_a_megabyte_is_told_that_it_is_too_long(owner, folder) -> None:
     owner.link(LinkPhase.UP)
     answer = say(find_owner(folder, owner.state.port), b"x" * 2**20 + b"\n")
-    assert answer["error"]["sentence"] == "The line is longer than 4096 bytes. Ask for less."
+    assert answer["error"]["sentence"] == f"The line is longer than {LONGEST_LINE} bytes. Ask for less."
 
 
 def test_an_older_birdcage_reads_why_not(owner, folder) -> None:
@@ -192,6 +193,36 @@ def test_who_waits_no_longer_is_told_whether_it_may_still_be_set(owner, folder, 
     with pytest.raises(NoReply, match=re.escape(said) + "$"):
         call_owner(find_owner(folder, owner.state.port), Set("lamp", 5.0, "you"), "you")
     assert asked[0].cancelled() is not begun
+
+
+ROWS = {index: SettingRow(index, "x" * 24, "y" * 24, None, None) for index in range(150)}
+TABLE = SettingsTable((), ROWS)
+
+
+@pytest.mark.parametrize(
+    ("request_", "answer"),
+    [
+        (ReadSettings(), TABLE),
+        (WriteSettings({1: "2"}, "you", agreed=True), SettingsWritten(None, TABLE)),
+        (SaveSettings("you", agreed=True, shown=TABLE.to_save), TABLE),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_what_keeps_the_dish_longer_with_its_own_settings_is_waited_for(
+    owner, folder, monkeypatch, request_, answer
+) -> None:
+    asked, answered = [], Future()
+
+    def submit(request):
+        asked.append(request)
+        threading.Timer(0.1, answered.set_result, (answer,)).start()
+        return answered
+
+    owner.submit = submit
+    monkeypatch.setattr(control_caller, "REQUEST_S", 0.01)
+    owner.link(LinkPhase.UP)
+    assert call_owner(find_owner(folder, owner.state.port), request_, "you") == answer
+    assert asked == [request_], "one that names all rows of a dish fits into its line"
 
 
 def test_only_this_machine_is_listened_to(owner, folder) -> None:

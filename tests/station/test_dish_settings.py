@@ -19,7 +19,6 @@ from birdcage.rotator.settings_file import read_settings_text
 from birdcage.station.attach_messages import result_shapes
 from birdcage.station.requests import (
     AcquireLease,
-    Connect,
     Goto,
     ReadSettings,
     SaveSettings,
@@ -91,7 +90,7 @@ def test_a_power_cycle_takes_back_what_was_not_saved(bench):
 
 def test_a_dangerous_row_and_one_that_no_source_tells_of_need_consent(tmp_path):
     bench = Bench("g2?seed=1&nvs_rows=all", options={"backup_folder": tmp_path}).connect()
-    for index, words in ((83, "every angle wrong"), (7, "Nothing is known of this row"), (20, "homing")):
+    for index, words in ((83, "every angle wrong"), (7, "Undocumented row"), (20, "homing")):
         with pytest.raises(ConfirmationNeeded, match=words):
             bench.do(WriteSettings({index: "9" if index != 20 else "off"}, YOU))
     assert written_lines(bench) == []
@@ -249,10 +248,17 @@ def test_a_note_that_cannot_be_read_is_told_and_nothing_is_written(bench, tmp_pa
     write(bench, r27="90")
     (note,) = (tmp_path / "state").rglob("settings-write.json")
     note.write_text("{")
-    for request in (ReadSettings(), WriteSettings({27: "95"}, YOU, agreed=True)):
-        with pytest.raises(BirdcageError, match="can't be read"):
+    left = bench.do(ReadSettings()).unfinished
+    assert f"{note} tells of an earlier write" in left.sentences[0]
+    for request in (WriteSettings({27: "95"}, YOU, agreed=True), SaveSettings(YOU, agreed=True)):
+        with pytest.raises(BirdcageError, match="Until you rename it, no setting is written or saved"):
             bench.do(request)
     assert written_lines(bench) == ["e 27 90"]
+    assert note.read_text() == "{", "reading has not dropped it"
+    note.rename(note.with_suffix(".old"))
+    assert bench.do(ReadSettings()).unfinished is None
+    bench.do(SaveSettings(YOU, agreed=True))
+    assert memory(bench, 27) == (90, 90)
 
 
 def test_a_table_of_150_rows_takes_one_line(tmp_path):
@@ -309,14 +315,28 @@ def test_a_table_that_reads_differently_twice_is_no_backup(bench, tmp_path):
     assert not (tmp_path / "backups").exists()
 
 
-def test_another_dish_at_another_port_is_backed_up_too(tmp_path):
-    options = {"backup_folder": tmp_path}
-    bench = Bench(options=options).connect()
-    write(bench, r27="90")
-    bench.do(Connect("sim:other"))
-    bench.step(5)
-    write(bench, r27="95")
-    assert len(list(tmp_path.iterdir())) == 2
+@pytest.mark.parametrize("shown", [0, 2], ids=["nor where it is read back", "in the table alone"])
+def test_a_row_that_is_not_shown_after_the_write_is_said_to_be_unread(bench, shown):
+    nvram, left = bench.device.firmware.board.nvram, [shown]
+    render = nvram.render
+
+    def damaged(index, value):
+        if index == 27 and value == 90:
+            left[0] -= 1
+            return render(index, value) if left[0] >= 0 else "9x 9"
+        return render(index, value)
+
+    nvram.render = damaged
+    with pytest.raises(NoReply) as raised:
+        write(bench, r27="90")
+    assert str(raised.value) == (
+        "Row 27 is not readable after the write. Row 27 was 120 and was to be 90. Nothing was saved: a power cycle "
+        "takes the write back."
+    )
+    assert raised.value.reason == "garbage"
+    assert memory(bench, 27) == (90, 120)
+    bench.step(10)
+    assert "Row 27 is not shown any more" in " ".join(bench.do(ReadSettings()).unfinished.sentences)
 
 
 def test_the_table_goes_to_attached_programs_and_back():

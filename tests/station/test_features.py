@@ -13,8 +13,10 @@ from birdcage.base.errors import (
     Held,
     LeaseDenied,
     LinkError,
+    NoReply,
     OutOfRange,
 )
+from birdcage.base.reason import Reason
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.g2.protocol import CarryoutG2Protocol
 from birdcage.protocol.g2.tuner import Tuner
@@ -209,6 +211,26 @@ def test_what_was_read_before_something_was_set_is_read_again(bench):
     since = len(bench.lines())
     bench.do(Read(("frequency", "transponder")))
     assert bench.lines()[since:] == [], "both are fresh"
+
+
+@pytest.fixture
+def lost_reply(monkeypatch):
+    """What is written reaches the dish, and its reply does not come back."""
+    write = MenuRotator.write
+
+    def lost(rotator, name, value):
+        write(rotator, name, value)
+        raise NoReply("Garbled.", reason=Reason.GARBAGE)
+
+    monkeypatch.setattr(MenuRotator, "write", lost)
+
+
+def test_what_was_read_before_a_set_whose_reply_is_lost_is_read_again(bench, lost_reply):
+    assert bench.do(Read(("frequency",)))["frequency"].value == pytest.approx(1178.12)
+    with pytest.raises(NoReply):
+        bench.do(Set("transponder", 7.0, "you"))
+    bench.step(1.0)
+    assert bench.do(Read(("frequency",)))["frequency"].value == pytest.approx(1061.48)
 
 
 def test_what_reading_itself_changes_needs_consent_before_anything_is_sent(bench):

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 import pytest
-from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, OutOfRange
+from birdcage.base.errors import CommandRefused, ConfirmationNeeded, Held, NoReply, OutOfRange
 from birdcage.protocol.g2.diseqc import answer_in_words
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import FeaturePage
@@ -178,6 +180,17 @@ def test_one_gain_is_set_and_the_others_stay(bench):
     assert read(bench, *before) == {**before, "kv.elevation": 60.0}
 
 
+@pytest.mark.parametrize(
+    ("value", "sent_as"), [(0.00002, "0.00002"), (123.456789, "123.456789"), (1000.0, "1000"), (0.0, "0")]
+)
+def test_a_gain_goes_out_in_digits_without_an_exponent(bench, value, sent_as):
+    since = len(bench.lines())
+    with suppress(CommandRefused, NoReply):  # what it shows then is the dish's
+        bench.do(Set("kp.azimuth", value, YOU, agreed=True))
+    (line,) = [line for line in sent(bench, since) if line.startswith("pid ")]
+    assert line.split()[2] == sent_as
+
+
 @pytest.mark.parametrize(("value", "words"), [(1000.5, "limit of 1000"), (-1.0, "limit of 0")])
 def test_a_gain_has_a_limit_of_birdcages_own_and_says_so(bench, value, words):
     since = len(bench.lines())
@@ -195,8 +208,9 @@ def test_a_gain_that_the_dish_does_not_take_is_refused(bench, monkeypatch):
     commands = bench.device.shell._menus["mot"].commands
     show = commands["pid"]
     monkeypatch.setitem(commands, "pid", lambda args: show(args[:1]))
-    with pytest.raises(CommandRefused, match=r"was told Kp 200 for the azimuth and shows 250"):
+    with pytest.raises(CommandRefused, match=r"was told Kp 200 for the azimuth and shows 250\. Set it again") as raised:
         bench.do(Set("kp.azimuth", 200.0, YOU, agreed=True))
+    assert str(raised.value).endswith("Set it again, or restart the dish: it forgets gains then.")
 
 
 def test_nothing_is_written_while_the_dish_moves(bench):

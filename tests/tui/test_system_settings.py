@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 import settings_stand_in
 import stand_in
+from birdcage.base.errors import CommandRefused
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.own_settings import SettingRow, SettingsTable, SettingsWritten
 from birdcage.station.requests import ReadSettings, SaveSettings, WriteSettings
@@ -197,6 +198,22 @@ async def test_a_backup_brings_back_every_row_that_was_changed_since(tmp_path):
 
 
 @played
+async def test_a_backup_of_a_simulated_dish_is_not_marked_for_a_real_one(tmp_path):
+    house = new_house(tmp_path)
+    async with house.app.run_test(size=(120, 36)) as house.pilot:
+        await opened(house, tmp_path)
+        await press(house, "B")
+        await house.step(4)
+        (backup,) = (tmp_path / "backups").glob("*.txt")
+        feed, text = house.app.system.own_settings, backup.read_text()
+        house.station._store.change(demo=False)
+        backup.write_text(text.replace("# table:", "# DEMO\n# table:"))
+        with pytest.raises(CommandRefused, match=rf"{backup.name} is of a simulated dish\. Nothing was sent"):
+            feed.stage_from(backup)
+        assert dict(feed.now.staged) == {}
+
+
+@played
 async def test_what_the_station_refuses_is_said_below_the_rows_and_the_edit_stays(tmp_path):
     house = House()  # without a folder for backups nothing may be written
     async with house.app.run_test(size=(120, 36)) as house.pilot:
@@ -229,7 +246,7 @@ def test_writing_and_saving_ask_first_and_say_who():
     before, wrote, unsaved, saved = run(look, size=(120, 36))
     assert (before, unsaved) == ([], [])
     assert wrote == [WriteSettings({38: "600"}, "you", agreed=True)]
-    assert saved == [SaveSettings("you", agreed=True)]
+    assert saved == [SaveSettings("you", agreed=True, shown={101: "20.00", 140: "0x1F"})]
 
 
 class Slow:

@@ -176,8 +176,7 @@ def _readings(port: str, ids: tuple[str, ...], told: object, rows: Iterable[Mapp
 
 
 def see_at_rest(dish: DishSession) -> None:
-    """Wait until the dish is seen at rest, or for some seconds: features are read only then."""
-    """Watch a dish that has just answered, until it is known whether it rests."""
+    """Watch a dish that has just answered until it is seen at rest, or for some seconds: it is read only at rest."""
     from birdcage.station.requests import Watch
     from birdcage.station.state import Activity
 

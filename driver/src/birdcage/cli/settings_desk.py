@@ -67,12 +67,12 @@ class SettingsDesk:
                 backup = backup or written.backup
         return SettingsWritten(backup, written.table)
 
-    def save(self) -> SettingsTable:
-        """Write RAM to flash, with a person's consent."""
+    def save(self, shown: Mapping[int, str]) -> SettingsTable:
+        """Write RAM to flash, with the consent of a person who was `shown` this, as `SettingsTable.to_save`."""
         from birdcage.station.setting_requests import SaveSettings
 
         with said_when_cut_short():
-            table: SettingsTable = self.ask(SaveSettings(self.holder, agreed=True))
+            table: SettingsTable = self.ask(SaveSettings(self.holder, agreed=True, shown=shown))
         return table
 
 
@@ -114,7 +114,7 @@ def said_when_cut_short() -> Iterator[None]:
     from birdcage.base.errors import BirdcageError
     from birdcage.cli.exits import EndedBySignal
 
-    after = "`birdcage nvs get` tells what became of each row."
+    after = "`birdcage nvs dump` shows what became of each row."
     try:
         yield
     except KeyboardInterrupt:

@@ -64,6 +64,17 @@ def show_changes(changes: Mapping[int, str], table: SettingsTable, known: Mappin
         click.echo(f"  {sentence}", err=True)
 
 
+def show_saves(table: SettingsTable, indices: Iterable[int], known: Mapping[int, SettingKnown]) -> None:
+    """Say what a save is about to change in flash: row, name, saved value, value in RAM, what a wrong value does."""
+    indices = list(indices)
+    for index in indices:
+        row = table.rows[index]
+        what = f"{row.current} in RAM" if row.saved is None else f"{row.saved} -> {row.current} in flash"
+        click.echo(f"Row {index} {row.name}: {what}", err=True)
+    for sentence in dict.fromkeys(_warnings(indices, known)):
+        click.echo(f"  {sentence}", err=True)
+
+
 def _warnings(changes: Iterable[int], known: Mapping[int, SettingKnown]) -> Iterable[str]:
     from birdcage.rotator.setting_values import danger_of
 

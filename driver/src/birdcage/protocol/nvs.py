@@ -16,11 +16,6 @@ MIN_ELEVATION = 101
 MAX_ELEVATION = 102
 
 
-def row_id(index: int) -> str:
-    """Return by what name a survey tells a row."""
-    return f"nvs.{index}"
-
-
 def row_label(index: int) -> str:
     """Return what a person is told of where a row stands."""
     return f"NVS {index}"

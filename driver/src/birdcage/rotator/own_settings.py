@@ -13,6 +13,12 @@ from enum import Enum
 from typing import Protocol
 
 from birdcage.rotator.feature import FeatureKind, Range
+from birdcage.rotator.setting_values import same_value
+
+
+def row_id(index: int) -> str:
+    """Return by what name a survey tells a row (`Survey.settings`)."""
+    return f"nvs.{index}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,6 +34,11 @@ class SettingRow:
     """What flash holds: in force from the next power cycle on. None where the machine does not tell."""
     default: str | None
     """The factory's value; None where the machine does not tell."""
+
+    @property
+    def is_unsaved(self) -> bool:
+        """Whether flash holds another value; False where the machine does not tell."""
+        return self.saved is not None and not same_value(self.saved, self.current)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +110,12 @@ class SettingsTable:
     @property
     def unsaved(self) -> tuple[SettingRow, ...]:
         """The rows whose value in RAM is not the one in flash: what a save would keep."""
-        return tuple(row for row in self.rows.values() if row.saved is not None and row.saved != row.current)
+        return tuple(row for row in self.rows.values() if row.is_unsaved)
+
+    @property
+    def to_save(self) -> Mapping[int, str]:
+        """What a save writes to flash anew, by row: the unsaved rows; all rows where the machine does not tell."""
+        return {row.index: row.current for row in self.rows.values() if row.saved is None or row.is_unsaved}
 
 
 @dataclass(frozen=True, slots=True)

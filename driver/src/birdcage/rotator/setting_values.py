@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import re
+from typing import TYPE_CHECKING
 
 from birdcage.base.errors import OutOfRange
 from birdcage.rotator.feature import FeatureKind
-from birdcage.rotator.own_settings import SettingKnown, SettingRow
+
+if TYPE_CHECKING:
+    from birdcage.rotator.own_settings import SettingKnown, SettingRow
 
 SettingValue = bool | int | float | str
 LONGEST_VALUE = 24
 """Characters of a value that may be given: more than any that a machine prints."""
-UNDOCUMENTED = "Nothing is known of this row: a wrong value may keep the dish from working."
+UNDOCUMENTED = "Undocumented row. A wrong value may stop the dish from working."
 """What a person has to agree to who changes a row that no source tells of."""
 
 _HEX = re.compile(r"0[xX][0-9A-Fa-f]{1,8}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from birdcage.base.errors import CommandRefused
 from birdcage.base.reason import Reason
@@ -29,7 +29,7 @@ class SettingDifference:
 
 def value_words(row: SettingRow | None) -> str | None:
     """Return what a row holds, for a person: both values where RAM and flash differ."""
-    if row is None or row.saved is None or row.saved == row.current:
+    if row is None or not row.is_unsaved:
         return None if row is None else row.current
     return f"{row.current} in RAM, {row.saved} saved"
 
@@ -60,13 +60,18 @@ def restoring(
     firmware: str,
     known: Mapping[int, SettingKnown],
     name: str,
+    *,
+    demo: bool,
 ) -> dict[int, str]:
     """Return what has to be written into RAM so that a save makes flash what a dump has as saved.
 
-    `rows` are those of the dump, `name` is how its file is called. Empty where RAM holds it already. CommandRefused,
-    and nothing sent, for a dump that is another machine's, or has rows twice, or rows that the machine lacks; and where
-    a save would also keep a change that the dump says nothing of. OutOfRange for a value that does not fit.
+    `rows` are those of the dump, `name` is how its file is called, `demo` is whether the dish is simulated. Empty where
+    RAM holds it already. CommandRefused, and nothing sent, for a dump that is another machine's, or of a simulated one
+    for a real one, or has rows twice, or rows that the machine lacks; and where a save would also keep a change that
+    the dump says nothing of. OutOfRange for a value that would have to be written and does not fit.
     """
+    if dump.demo and not demo:
+        raise _refused(f"{name} is of a simulated dish.")
     if dump.firmware and dump.firmware != firmware:
         raise _refused(f"{name} is of firmware {dump.firmware}, and this dish speaks {firmware}.")
     often = Counter(int(match[1]) for line in dump.printed if (match := _INDEX.match(line)))
@@ -81,6 +86,8 @@ def restoring(
             raise _refused(f"{name} has row {index} ({row.name}), which this dish does not show.")
         if now.name != row.name:
             raise _refused(f"Row {index} is called {now.name!r} on this dish and {row.name!r} in {name}.")
+        if same_value(now.current, saved_of(row)):
+            continue
         value = given_value(now, known.get(index), saved_of(row))
         if not same_value(now.current, value):
             new[index] = value
@@ -90,6 +97,12 @@ def restoring(
             f"that, and {name} has no such row. Save first, or switch the dish off and on."
         )
     return new
+
+
+def saved_after(table: SettingsTable, new: Mapping[int, str]) -> dict[int, str]:
+    """Return what a save writes to flash anew once `new` is in RAM, as `SettingsTable.to_save` tells it then."""
+    rows = {index: replace(row, current=new.get(index, row.current)) for index, row in table.rows.items()}
+    return dict(replace(table, rows=rows).to_save)
 
 
 def saved_of(row: SettingRow) -> str:

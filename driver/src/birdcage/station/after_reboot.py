@@ -12,7 +12,6 @@ from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.events import FaultAcknowledged, Recovered
 from birdcage.station.parts import Parts
 from birdcage.station.search_control import SearchControl
-from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.state import Activity, Fault, LinkPhase, TvSearch
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
@@ -41,8 +40,7 @@ class AfterReboot:
     def __init__(self, parts: Parts, host: TaskHost) -> None:
         self._parts, self._store, self._control, self._host = parts, parts.store, parts.control, host
         self._homes = parts.settings.home_after_reboot
-        backup = SettingsBackup(parts.store, parts.antenna, parts.settings.backup_folder)
-        self._search = SearchControl(parts, backup)
+        self._search = SearchControl(parts)
         self._tried: Fault | None = None
         self._homing: Future[object] | None = None
 

@@ -44,10 +44,10 @@ from birdcage.station.requests import (
     WriteSettings,
 )
 
-LONGEST_LINE = 4096
-"""Bytes of what is asked."""
-LONG_READ_S = 90.0
-"""How much longer the answer waits for a reading that a person has agreed to: one may keep the dish for a minute."""
+LONGEST_LINE = 16_384
+"""Bytes of what is asked: room for a save that names all rows of a dish's settings."""
+LONG_S = 90.0
+"""How much longer the answer waits where the dish may be kept for a minute: some readings, and its own settings."""
 LONGEST_ANSWER = 4_000_000
 """Bytes of an answer or an event: far more than any has."""
 
@@ -129,7 +129,8 @@ class ControlCall:
 
 def more_s(request: ControlRequest) -> float:
     """Return how much longer than others the answer to a request may take."""
-    return LONG_READ_S if isinstance(request, Read) and request.agreed else 0.0
+    settings = isinstance(request, ReadSettings | WriteSettings | SaveSettings)
+    return LONG_S if settings or (isinstance(request, Read) and request.agreed) else 0.0
 
 
 def call_to_json(token: str, call: ControlCall) -> dict[str, object]:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.rotator.feature import Reading
+from birdcage.rotator.feature_table import ends_reading
 from birdcage.rotator.ladder import MoveKind
 from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
@@ -49,7 +50,7 @@ class DishExchanges:
                 return {step.id: rotator.write(step.id, step.value)}
             readings = rotator.read(step.ids)
         except (CommandRefused, NoReply) as error:
-            if not (isinstance(step, ReadFeatures) and step.optional) or getattr(error, "trouble", None) is not None:
+            if not (isinstance(step, ReadFeatures) and step.optional) or ends_reading(error):
                 raise
             readings = {}
         finally:

@@ -10,19 +10,19 @@ from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
+from birdcage.station.menu_visit import MenuVisit
 from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.requests import Set
 from birdcage.station.search_control import SearchControl
-from birdcage.station.settings_backup import SettingsBackup
 
 
 class FeatureHandler:
     """Errors are raised, and become the future's."""
 
-    def __init__(self, parts: Parts, backup: SettingsBackup) -> None:
+    def __init__(self, parts: Parts) -> None:
         self._parts, self._store, self._antenna, self._control = parts, parts.store, parts.antenna, parts.control
-        self._reader, self._search = parts.reader, SearchControl(parts, backup)
+        self._reader, self._search, self._visit = parts.reader, SearchControl(parts), MenuVisit(parts)
         self._written_at = -math.inf
         """When a feature was written last: what was read before need not hold any more."""
 
@@ -68,14 +68,14 @@ class FeatureHandler:
             self._search.refuse(disabled=disabled)
             if feature.id == TV_SEARCH:  # one that runs is ended just because it moves the dish
                 refuse_while_moving(self._store, self._antenna, f"{feature.label} is not set")
-            self._free_for(request.holder)
+            self._visit.make_free_for(request.holder)
             self._search.set(disabled=disabled)
         else:
             return self._write(feature, value, request.holder)
         return self._store.state.readings[feature.id]
 
     def note_written(self) -> None:
-        """Something was written past the features: what was read of them before need not hold any more."""
+        """Something is about to be written: what was read before need not hold any more, even if no reply comes."""
         self._written_at = self._store.clock.monotonic()
 
     def set_speed(self, motor: int, speed_deg_s: float, holder: str) -> float:
@@ -118,38 +118,16 @@ class FeatureHandler:
         return last if self._store.clock.monotonic() - last.at < feature.cost.min_interval_s else None
 
     def _ask(self, ids: list[str]) -> Mapping[str, Reading]:
-        self._reader.elsewhere = True  # STOP has to come back to the motor menu first, and look
-        try:
-            readings = self._antenna.rotator.read(ids)
-        except CommandRefused:
-            self._come_back()
-            raise
+        readings: Mapping[str, Reading] = self._visit.talk(lambda: self._antenna.rotator.read(ids))
         self._reader.note(readings)
-        self._come_back()
         return readings
 
     def _write(self, feature: Feature, value: Value, holder: str) -> Reading:
         if not feature.cost.while_moving:
             refuse_while_moving(self._store, self._antenna, f"{feature.label} is not set")
-        self._free_for(holder)
-        self._reader.elsewhere = True
-        try:
-            reading = self._antenna.rotator.write(feature.id, value)
-        except CommandRefused:
-            self._come_back()
-            raise
-        self._written_at = reading.at
+        self._visit.make_free_for(holder)
+        self.note_written()
+        reading: Reading = self._visit.talk(lambda: self._antenna.rotator.write(feature.id, value))
         if feature.is_readable:  # else it may have forgotten it since, and nothing would tell
             self._reader.note({feature.id: reading})
-        self._come_back()
         return reading
-
-    def _free_for(self, holder: str) -> None:
-        """Raise what forbids `holder` to have the machine do something; the lease stays where it is."""
-        self._control.may_take(holder)
-        self._control.refuse(holder)
-        self._parts.free_wire()
-
-    def _come_back(self) -> None:
-        self._antenna.rotator.make_ready()
-        self._reader.elsewhere = False

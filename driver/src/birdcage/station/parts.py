@@ -12,6 +12,7 @@ from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End
 from birdcage.station.settings import StationSettings
+from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.signals import Signals
 from birdcage.station.state import LinkPhase
 from birdcage.station.state_store import StateStore
@@ -34,6 +35,7 @@ class Parts:
     stopper: Stopper
     watches: Watches
     guard: UnattendedGuard
+    backup: SettingsBackup
 
     def require_link(self, so: str) -> None:
         """Raise LinkError unless the dish answers; `so` is what is not done: `nothing is sent`."""

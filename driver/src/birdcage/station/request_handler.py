@@ -20,7 +20,6 @@ from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
-from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
@@ -48,9 +47,8 @@ class RequestHandler:
         self._pursuits = Pursuits(parts, host)
         self._unattended = ""
         """Whose last motion no person had asked for; empty if one had."""
-        backup = SettingsBackup(parts.store, parts.antenna, parts.settings.backup_folder)
-        self._motors, self._features = MotorPower(parts), FeatureHandler(parts, backup)
-        self._settings = OwnSettingsHandler(parts, backup, self._features.note_written)
+        self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
+        self._settings = OwnSettingsHandler(parts, self._features.note_written)
         self._lost_control = LostControl(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:

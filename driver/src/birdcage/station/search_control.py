@@ -11,16 +11,15 @@ from birdcage.rotator.feature import SETTINGS, TV_SEARCH
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.events import SettingsSaved
 from birdcage.station.parts import Parts
-from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.state import Activity, TvSearch
 
 
 class SearchControl:
     """What the switch does depends on the dish: see `Facts.search_switch`."""
 
-    def __init__(self, parts: Parts, backup: SettingsBackup) -> None:
+    def __init__(self, parts: Parts) -> None:
         self._store, self._antenna, self._reader = parts.store, parts.antenna, parts.reader
-        self._backup = backup
+        self._backup = parts.backup
 
     def refuse(self, *, disabled: bool) -> None:
         """Raise CommandRefused (`unsupported`) where this can't be done, BirdcageError (`moving`) while it may not.
@@ -56,6 +55,7 @@ class SearchControl:
         table = self._settings_table()
         self._refuse_to_save_others(table)
         backup = self._backup.keep(table)
+        self._backup.forget()  # flash may be another one from here on, even if no reply comes
         written = self._antenna.maintenance.end_search() if disabled else {TV_SEARCH: rotator.write(TV_SEARCH, True)}
         named = rotator.features.get(TV_SEARCH)
         self._store.tell(SettingsSaved(*self._store.stamp(), (TV_SEARCH if named is None else named.label,)))
@@ -72,7 +72,7 @@ class SearchControl:
         name = "" if setting is None else setting.name
         rows = () if own is None else own.parse(table).values()
         for row in rows:
-            if row.saved not in (None, row.current) and not (name and row.name.startswith(name)):
+            if row.is_unsaved and not (name and row.name.startswith(name)):
                 raise CommandRefused(
                     f"Row {row.index} ({row.name}) was changed in RAM ({row.saved} to {row.current}) and not saved. "
                     "This would save it, too. Save it by `birdcage nvs save`, or switch the dish off and on. Nothing "

@@ -35,9 +35,12 @@ class WriteSettings:
 class SaveSettings:
     """Write all that the dish's RAM holds to its flash, and see that it did; resolves with a `SettingsTable`.
 
-    It counts from the next power cycle on. ConfirmationNeeded, which names the rows, unless `agreed`.
+    It counts from the next power cycle on. ConfirmationNeeded, which names the rows, unless `agreed`, and where a save
+    would not write what was `shown`.
     """
 
     holder: str
     agreed: bool = False
     """Whether a person was told what is saved, and agreed."""
+    shown: Mapping[int, str] | None = None
+    """What that person was shown, as `SettingsTable.to_save`: values in RAM by row; null where it is not compared."""

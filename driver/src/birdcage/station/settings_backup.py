@@ -17,8 +17,8 @@ class SettingsBackup:
 
     def __init__(self, store: StateStore, antenna: BirdcageAntenna, folder: Path | None) -> None:
         self._store, self._antenna, self._folder = store, antenna, folder
-        self._kept: tuple[str, Path] | None = None
-        """At which port the last backup was made, and where it is."""
+        self._kept: tuple[tuple[object, ...], Path] | None = None
+        """Of which dish the last backup was made, and where it is."""
 
     def keep(self, printed: Sequence[str]) -> Path:
         """Write the table, and return where it is. ConfigError, StoreError where it can't be kept."""
@@ -31,12 +31,22 @@ class SettingsBackup:
             write_aside_and_rename(path, text.encode())
         except OSError as error:
             raise StoreError(f"The backup {path} can't be written ({error}): nothing was changed.") from error
-        self._kept = self._store.state.port, path
+        self._kept = self._dish(), path
         return path
 
     @property
     def kept(self) -> Path | None:
-        """Where the backup is that this run has made of the dish at the present port; None before the first."""
-        if self._kept is None or self._kept[0] != self._store.state.port:
+        """Where the backup is that this run has made of this dish since its last save; None before the first."""
+        if self._kept is None or self._kept[0] != self._dish():
             return None
         return self._kept[1]
+
+    def forget(self) -> None:
+        """Flash was written: the next write is backed up anew."""
+        self._kept = None
+
+    def _dish(self) -> tuple[object, ...]:
+        """Return what tells this dish from others. One whose link was gone meanwhile may be another one."""
+        state = self._store.state
+        boot = None if state.boot_log is None else state.boot_log.utc
+        return state.port, state.demo, self._antenna.rotator.facts.firmware, state.link.since, boot

@@ -8,6 +8,11 @@ from datetime import datetime
 from birdcage.rotator.own_settings import RowState, SettingRow, SettingsTable, UnfinishedRow, UnfinishedWrite
 from birdcage.rotator.setting_values import same_value
 
+_UNTOLD = (
+    "A save was interrupted, and this dish does not tell what flash holds. What it shows after a power cycle is what "
+    "flash holds. `birdcage nvs save` saves once more."
+)
+
 
 @dataclass(frozen=True, slots=True)
 class NotedRow:
@@ -20,6 +25,8 @@ class NotedRow:
     before_saved: str | None
     """What flash held; None where the dish does not tell."""
     wanted: str
+    is_back: bool = False
+    """Whether RAM may hold `before` though flash does not: a save was interrupted earlier, and its outcome is open."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,15 +39,16 @@ class NotedWrite:
     backup: str | None
     rows: tuple[NotedRow, ...]
     saving: bool = False
-    """Whether a save was begun: from then on flash may hold the new values."""
+    """Whether a save was begun: from then on flash may hold the new values, until one succeeds."""
 
     def with_rows(self, rows: tuple[NotedRow, ...]) -> NotedWrite:
         """Return it with more rows. One that is noted already keeps what it was before."""
         noted = {row.index: row for row in self.rows}
         for row in rows:
             first = noted.get(row.index, row)
-            noted[row.index] = replace(first, wanted=row.wanted)
-        return replace(self, rows=tuple(noted[index] for index in sorted(noted)), saving=False)
+            is_back = first.is_back or (self.saving and (not self.rows or same_value(row.wanted, first.before)))
+            noted[row.index] = replace(first, wanted=row.wanted, is_back=is_back)
+        return replace(self, rows=tuple(noted[index] for index in sorted(noted)))
 
 
 def state_of(noted: NotedRow, row: SettingRow | None, *, saving: bool) -> RowState:
@@ -49,11 +57,11 @@ def state_of(noted: NotedRow, row: SettingRow | None, *, saving: bool) -> RowSta
         return RowState.OTHER
     is_new, is_old = same_value(row.current, noted.wanted), same_value(row.current, noted.before)
     if row.saved is None or noted.before_saved is None:
-        if is_old:
+        if saving and (is_new or (is_old and noted.is_back)):
+            return RowState.UNTOLD
+        if is_old:  # nothing but a power cycle has brought it back: flash holds it
             return RowState.UNTOUCHED
-        if not is_new:
-            return RowState.OTHER
-        return RowState.UNTOLD if saving else RowState.IN_RAM
+        return RowState.IN_RAM if is_new else RowState.OTHER
     was_saved = same_value(row.saved, noted.before_saved)
     if is_old and was_saved:
         return RowState.UNTOUCHED
@@ -74,8 +82,13 @@ def left_by(noted: NotedWrite, table: SettingsTable) -> UnfinishedWrite:
     return UnfinishedWrite(noted.began, noted.by, noted.backup, rows, tuple(_sentences(noted, rows, table)))
 
 
-def is_settled(left: UnfinishedWrite) -> bool:
-    """Return whether nothing is open any more: every row is as it was, or saved."""
+def is_settled(left: UnfinishedWrite, *, saving: bool) -> bool:
+    """Return whether nothing is open any more: every row is as it was, or saved.
+
+    A save that was begun without a row of note (`saving`) is settled by another save alone.
+    """
+    if not left.rows:
+        return not saving
     return all(row.state in (RowState.UNTOUCHED, RowState.SAVED) for row in left.rows)
 
 
@@ -89,14 +102,13 @@ def _sentences(noted: NotedWrite, rows: tuple[UnfinishedRow, ...], table: Settin
     if found := by_state[RowState.IN_RAM]:
         said.append(f"{named(found)} changed in RAM only. `birdcage nvs save` keeps that, a power cycle takes it back.")
     if found := by_state[RowState.UNTOLD]:
-        said.append(
-            f"{named(found)} changed in RAM. A save was interrupted, and this dish does not tell what flash holds. "
-            "What it shows after a power cycle is what flash holds. `birdcage nvs save` saves once more."
-        )
+        said.append(f"{named(found)} not known to be saved. {_UNTOLD}")
+    if noted.saving and not rows:
+        said.append(_UNTOLD)
     shown = {row.index: row.before_saved for row in noted.rows}
     others = (row for row in rows if row.state is RowState.OTHER)
     said += [_other(row, shown[row.index], table.rows.get(row.index)) for row in others]
-    if noted.backup is not None and not all(row.state is RowState.UNTOUCHED for row in rows):
+    if noted.backup is not None and not (rows and all(row.state is RowState.UNTOUCHED for row in rows)):
         said.append(f"Backup: {noted.backup}")
     return said
 
@@ -104,7 +116,7 @@ def _sentences(noted: NotedWrite, rows: tuple[UnfinishedRow, ...], table: Settin
 def _other(row: UnfinishedRow, before_saved: str | None, now: SettingRow | None) -> str:
     if now is None:
         return f"Row {row.index} is not shown any more. Read the table again."
-    what = f"Row {row.index} holds {now.current} in RAM, neither {row.before} nor {row.wanted}."
+    what = f"Row {row.index} holds {now.current} in RAM. It was {row.before} and was to be {row.wanted}."
     if now.saved is None or before_saved is None:
         return f"{what} Set it again, or switch the dish off and on and read it."
     if same_value(now.saved, before_saved):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from contextlib import suppress
+from datetime import UTC, datetime
 from pathlib import Path
 
 from birdcage.base.errors import BadMessage, StoreError
@@ -36,7 +37,8 @@ class SettingsNote:
     def read(self, firmware: str) -> NotedWrite | None:
         """Return what was noted of this dish; None if nothing is open.
 
-        StoreError (`damaged`) for a note that can't be read; one of another firmware is none of this dish's.
+        StoreError (`damaged`), which names the way out, for a note that can't be read; one of another firmware is none
+        of this dish's.
         """
         file = self._file()
         if file is None:
@@ -46,16 +48,28 @@ class SettingsNote:
         except FileNotFoundError:
             return None
         except OSError as error:
-            raise StoreError(f"{file} can't be read ({error}).") from error
+            raise self._unread(file, str(error)) from error
         try:
             noted: NotedWrite = self._shape.take(parse(data), "The note")
         except BadMessage:
-            raise StoreError(
-                f"{file} tells of an earlier write of the dish's settings, and can't be read. Compare the table with "
-                "your last backup by `birdcage nvs diff`, then remove that file.",
-                reason=Reason.DAMAGED,
-            ) from None
+            raise self._unread(file, "damaged") from None
         return noted if noted.firmware == firmware else None
+
+    @staticmethod
+    def _unread(file: Path, why: str) -> StoreError:
+        return StoreError(
+            f"{file} tells of an earlier write of the dish's settings, and can't be read ({why}). Until you rename it, "
+            "no setting is written or saved. First compare the dish with your last backup: `birdcage nvs diff BACKUP`.",
+            reason=Reason.DAMAGED,
+        )
+
+    def written(self) -> datetime:
+        """Return when a note that can't be read was written, as far as the disk tells; now where it does not."""
+        file = self._file()
+        with suppress(OSError):
+            if file is not None:
+                return datetime.fromtimestamp(file.stat().st_mtime, UTC)
+        return self._store.clock.utc()
 
     def keep(self, noted: NotedWrite) -> None:
         """Note it. StoreError where that can't be done: then nothing may be written."""

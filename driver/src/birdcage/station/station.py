@@ -41,6 +41,7 @@ from birdcage.station.requests import Request
 from birdcage.station.rewire import Rewire
 from birdcage.station.saved_speeds import SavedSpeeds
 from birdcage.station.settings import StationSettings
+from birdcage.station.settings_backup import SettingsBackup
 from birdcage.station.signals import Signals
 from birdcage.station.state import MOVING, LinkPhase, StationState
 from birdcage.station.state_store import Listener, StateStore, StateWatcher
@@ -91,20 +92,19 @@ class Station:
             port=settings.port, dish=rotator.facts, turn=rotator.facts.turn, unplanned_stop=antenna.strategy.unplanned
         )
         self._store = store = StateStore(clock, state)
-        self._wake = Wake()
-        self._inbox = Inbox()
-        self._closing = threading.Event()
+        self._wake, self._inbox, self._closing = Wake(), Inbox(), threading.Event()
         self._shutting = False
         """Whether what is said to the dish now is what has to be said before the end."""
         signals = Signals()
         self._control = control = Control(store, signals, settings.held_keeper)
         self._reader = reader = DishReader(store, antenna, settings, signals)
         self._mover = mover = DishMover(store, antenna, reader, signals)
-        self._stopper = Stopper(store, antenna, control, mover, reader)
-        self._watches = Watches()
+        self._stopper = stopper = Stopper(store, antenna, control, mover, reader)
+        self._watches = watches = Watches()
         self._unattended = guard = UnattendedGuard(store, settings.not_now)
-        parts = Parts(store, antenna, settings, signals, control, reader, mover, self._stopper, self._watches, guard)
         folder, identify = settings.state_folder, settings.identify
+        backup = SettingsBackup(store, antenna, settings.backup_folder)
+        parts = Parts(store, antenna, settings, signals, control, reader, mover, stopper, watches, guard, backup)
         FactsMemory(store, antenna, signals, folder, identify)
         self._turns = TurnMemory(store, antenna.gate, signals, settings.firmware, folder, identify)
         applying = Applying(parts, wrong_facts)

@@ -141,7 +141,7 @@ class OwnSettingsFeed:
             self._have_table(saved)
             self._say("Saved to flash. It counts from the next power cycle: switch the dish off and on.")
 
-        self._ask(SaveSettings(YOU, agreed=True), "saving", have)
+        self._ask(SaveSettings(YOU, agreed=True, shown=table.to_save), "saving", have)
 
     def undo(self) -> bool:
         """Drop what is staged; with nothing staged, stage the values from before the last write. False for neither."""
@@ -191,7 +191,8 @@ class OwnSettingsFeed:
         """Stage what differs from a file; return a sentence. BirdcageError where it can't be restored here."""
         facts, table = self._known()
         dump, rows = self._dump(path, facts)
-        new = restoring(dump, rows, table, facts.firmware, facts.settings_known, path.name)
+        demo = self._station.state.demo
+        new = restoring(dump, rows, table, facts.firmware, facts.settings_known, path.name, demo=demo)
         self.stage_all(new)
         if new:
             differ = "1 row differs" if len(new) == 1 else f"{len(new)} rows differ"

@@ -41,7 +41,7 @@ def set_(pairs: tuple[str, ...], yes: bool) -> None:
         backup = None
         if new:
             show_changes(new, table, desk.own.known)
-            agree("Change it in RAM?", yes)
+            agree("Change these rows in RAM?", yes)
             written = desk.write(new)
             table, backup = written.table, written.backup
     rows = [table.rows[index] for index in wishes]
@@ -67,7 +67,7 @@ def save(yes: bool) -> None:
     """
     from birdcage.cli.say import say, tell_json
     from birdcage.cli.settings_desk import open_desk
-    from birdcage.cli.settings_words import COUNTS, agree
+    from birdcage.cli.settings_words import COUNTS, agree, show_saves
 
     with open_desk(wanted(), "birdcage nvs save") as desk:
         table = desk.read()
@@ -76,12 +76,11 @@ def save(yes: bool) -> None:
         ]
         saves = bool(changes) or not desk.own.tells_saved
         if saves:
-            for row in table.unsaved:
-                click.echo(f"Row {row.index} {row.name}: {row.saved} -> {row.current} in flash", err=True)
+            show_saves(table, table.to_save, desk.own.known)
             if not desk.own.tells_saved:
                 click.echo("This dish does not tell what flash holds: all that its RAM holds is written.", err=True)
             agree("Save it?", yes)
-            desk.save()
+            desk.save(table.to_save)
     if flags().json:
         tell_json({"port": desk.port, "saved": saves, "changes": changes, "verified": desk.own.tells_saved})
     if not saves:
@@ -105,15 +104,15 @@ def restore(file: str, yes: bool) -> None:
     from birdcage.base.errors import CommandRefused
     from birdcage.cli.say import say, tell_json
     from birdcage.cli.settings_desk import open_desk
-    from birdcage.cli.settings_words import COUNTS, agree, show_changes
-    from birdcage.rotator.settings_compare import is_saved, lines_of_no_row, restoring
+    from birdcage.cli.settings_words import COUNTS, agree, show_changes, show_saves
+    from birdcage.rotator.settings_compare import is_saved, lines_of_no_row, restoring, saved_after
     from birdcage.rotator.settings_file import read_settings_file
 
     dump = read_settings_file(Path(file))
     with open_desk(wanted(), "birdcage nvs restore") as desk:
         table, known = desk.read(), desk.own.known
         rows = desk.own.parse(dump.printed)
-        new = restoring(dump, rows, table, desk.facts.firmware, known, file)
+        new = restoring(dump, rows, table, desk.facts.firmware, known, file, demo=desk.demo)
         other = set(lines_of_no_row(dump.printed, rows)) ^ set(lines_of_no_row(table.printed, table.rows))
         for line in sorted(other):
             say(f"Not restored, as it could not be read: {line}")
@@ -121,12 +120,14 @@ def restore(file: str, yes: bool) -> None:
         backup = None
         if saves:
             show_changes(new, table, known)
+            show_saves(table, (index for index in table.to_save if index not in new), known)
+            shown = saved_after(table, new)
             agree("Restore it, and save it to flash?", yes)
             if new:
                 written = desk.write(new)
                 backup = written.backup
                 say(f"Backup: {backup}")
-            table = desk.save()
+            table = desk.save(shown)
             if not is_saved(rows, table):
                 raise CommandRefused(
                     f"The dish does not show all rows as {file} has them. Compare by `birdcage nvs diff`."

@@ -9,11 +9,12 @@ from birdcage.protocol.carryout.dialect import BAUD
 from birdcage.protocol.carryout.features import FEATURES
 from birdcage.protocol.carryout.going import AZ_SPAN_DEG, EL_MAX_ROW, EL_SPAN_DEG
 from birdcage.protocol.carryout.own_settings import KNOWN
-from birdcage.protocol.nvs import row_id, row_label
+from birdcage.protocol.nvs import row_label
 from birdcage.rotator.axis import Axis, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
+from birdcage.rotator.own_settings import row_id
 
 _SPEED_DEG_S = 5.0
 """Not known. A scan program asks for three steps of 1 degree a second, and gives the first way 5 s: no slower than 3

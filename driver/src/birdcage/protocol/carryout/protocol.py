@@ -20,11 +20,10 @@ from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.carryout.own_settings import CarryoutOwnSettings
 from birdcage.protocol.carryout.records import RecordReader
 from birdcage.protocol.hazard import HazardTable
-from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
-from birdcage.rotator.own_settings import OwnSettings
+from birdcage.rotator.own_settings import OwnSettings, row_id
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 

@@ -14,7 +14,7 @@ from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.g2.features import CONSOLE_ONLY, features_of
 from birdcage.protocol.g2.own_settings import KNOWN
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id, row_label
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import (
     CableTurn,
@@ -28,6 +28,7 @@ from birdcage.rotator.facts import (
 )
 from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
+from birdcage.rotator.own_settings import row_id
 from birdcage.rotator.sweep import OwnSweep
 
 REFLECTOR = Reflector(0.3048, 0.3048, CountedBeam(6.4, 6.3, 12.45e9))

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused
@@ -91,14 +92,15 @@ class Motors(Room):
         if None in before:
             raise garbage(reply)
         wanted = dict(zip(GAINS, (float(gain) for gain in before if gain is not None), strict=True)) | {name: value}
-        self._run(f"pid {MOTORS[axis]} " + " ".join(f"{gain:g}" for gain in wanted.values()))
+        self._run(f"pid {MOTORS[axis]} " + " ".join(map(_plain, wanted.values())))
         now = self.gains()
         for each, gain in wanted.items():
             shown = now.get(f"{each}.{axis}")
             if shown is None or not math.isclose(float(shown), gain, rel_tol=1e-4, abs_tol=1e-3):
                 raise CommandRefused(
-                    f"The dish was told {each.capitalize()} {gain:g} for the {axis} and shows "
-                    f"{'none' if shown is None else f'{shown:g}'}.",
+                    f"The dish was told {each.capitalize()} {_plain(gain)} for the {axis} and shows "
+                    f"{'none' if shown is None else _plain(float(shown))}. Set it again, or restart the dish: it "
+                    "forgets gains then.",
                     reason=Reason.BAD_PARAMETER,
                 )
         return now
@@ -136,6 +138,12 @@ class Motors(Room):
         if abs(angle_deg) > _STEEPEST_DEG:
             raise garbage(reply)
         return angle_deg
+
+
+def _plain(number: float) -> str:
+    """Return a number in digits, without an exponent: no source says that the dish takes one."""
+    text = format(Decimal(repr(float(number))), "f")
+    return text.rstrip("0").rstrip(".") if "." in text else text
 
 
 def _degrees(printed: Mapping[str, str]) -> dict[str, Value]:

@@ -10,7 +10,8 @@ from birdcage.protocol.g2.motors import CEILING, FLOOR
 from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System, identity_of
-from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_id
+from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION
+from birdcage.rotator.own_settings import row_id
 from birdcage.rotator.values import Survey
 
 

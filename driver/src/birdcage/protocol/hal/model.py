@@ -6,11 +6,12 @@ from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
 from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.hal.own_settings import KNOWN
-from birdcage.protocol.nvs import row_id, row_label
+from birdcage.protocol.nvs import row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
 from birdcage.rotator.ladder import END_OF_MOVE, POWER_SWITCH, MoveKind, Rung, StopMeans
 from birdcage.rotator.origin import by_origin
+from birdcage.rotator.own_settings import row_id
 
 MOVE_TIMES = MeasuredTimes(((0.5, 0.3), (1.0, 0.5)), from_deg=2.0, scale_s=3.23, per_deg=0.84, less_s=0.48)
 """The measured law (`docs/reference/travler.md`, *Times*); the same for azimuth and elevation, assumed for the skew."""

@@ -21,11 +21,10 @@ from birdcage.protocol.hal.hazards import HAZARDS
 from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
 from birdcage.protocol.hal.own_settings import HalOwnSettings
 from birdcage.protocol.hazard import HazardTable
-from birdcage.protocol.nvs import row_id
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature_table import FeatureTable
-from birdcage.rotator.own_settings import OwnSettings
+from birdcage.rotator.own_settings import OwnSettings, row_id
 from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
