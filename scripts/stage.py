@@ -17,6 +17,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "tui"))
 import jumping_loop
 import picture
 import stand_in
+from birdcage.base.background import BackgroundWriter
 from birdcage.base.clock import VirtualClock
 from birdcage.base.config import LinkSettings, PlaceSettings, Settings, load
 from birdcage.base.config.tracking_sections import RadioSettings, TrackingSettings
@@ -45,6 +46,17 @@ STEP_S = 0.1
 FINE_S, COARSE_S = 2.0, 0.5
 """The end of a longer wait is played as a person sees it, what comes before in longer steps."""
 jumping_loop.let_time_jump()  # else a slow machine meets another order of timers and keys, and another picture
+_offer = BackgroundWriter.offer
+
+
+def _written_at_once(writer: BackgroundWriter[object], item: object) -> bool:
+    """Offer an item, and wait for the file: what is read from it is the same each time."""
+    taken = _offer(writer, item)
+    writer.flush()
+    return taken
+
+
+BackgroundWriter.offer = _written_at_once  # type: ignore[method-assign]
 os.environ |= {"COLORTERM": "truecolor", "TERM": "xterm-256color"}  # a map has colours where a terminal does
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
@@ -161,6 +173,7 @@ async def demo(
             horizon=ConfigHorizon(paths, here, lambda: load(paths.config_file, environ={})),
         )
         app = BirdcageApp(session, settings)
+        app.feeds.maps.beside = app.feeds.system.health.beside = lambda work: work()
         async with app.run_test(size=size) as pilot:
             yield Stage(app, pilot, paths)
         session.close()
