@@ -85,7 +85,7 @@ def test_the_dish_that_is_there_is_found_by_enter_and_a_question_mark(address, c
 
 
 @pytest.mark.parametrize(("firmware", "menu"), [
-    ("g2", "mot"), ("g2", "dvb"), ("g2", "nvs"), ("g2", "os"), ("g2", "step"), ("g2", "adc"), ("hal205", "motor"),
+    ("g2", "mot"), ("g2", "dvb"), ("g2", "os"), ("g2", "step"), ("g2", "adc"), ("hal205", "motor"),
 ])  # fmt: skip
 @pytest.mark.parametrize("options", ["", "&echo=0"])
 def test_a_dish_that_was_left_in_a_submenu_is_found_and_stays_there(firmware, menu, options) -> None:
@@ -94,6 +94,19 @@ def test_a_dish_that_was_left_in_a_submenu_is_found_and_stays_there(firmware, me
     assert desk.detect().firmware == firmware
     assert set(desk.lines()) <= {"", "?"}
     assert desk.device.shell.menu == menu
+
+
+@pytest.mark.parametrize(("firmware", "menu", "may_be"), [
+    ("g2", "nvs", ["g2", "g2plus"]), ("g2plus", "root", ["g2", "g2plus"]), ("g2plus", "mot", ["g2", "g2plus"]),
+    ("g2plus", "nvs", ["g2", "g2plus"]),
+])  # fmt: skip
+def test_what_a_g2_and_its_kin_all_show_names_all_of_them(firmware, menu, may_be) -> None:
+    desk = Desk(f"{firmware}?seed=1")
+    desk.device.shell.menu = menu
+    found = desk.detect()
+    assert (found.firmware, sorted(found.candidates), found.baud) == (None, may_be, 115200)
+    assert f"at 115200 baud ({', '.join(may_be)})" in found.sentence
+    assert set(desk.lines()) <= {"", "?"}
 
 
 def test_a_g2_that_moves_goes_on() -> None:
@@ -183,7 +196,8 @@ def finding(baud=115200, saw=Saw.PROMPT, prompt="", listed="", text="") -> BaudF
 
 
 @pytest.mark.parametrize(("seen", "firmware"), [
-    (finding(prompt="TRK>"), "g2"), (finding(prompt="MOT>"), "g2"), (finding(57600, prompt="TRK>"), None),
+    (finding(prompt="TRK>"), None), (finding(prompt="MOT>"), None), (finding(prompt="DVB>"), "g2"),
+    (finding(57600, prompt="TRK>"), None),
     (finding(57600, prompt=">"), None), (finding(57600, prompt="odd>"), None), (finding(prompt="odd>"), None),
     (finding(prompt="TRK>", listed="motor ngsearch nvs q"), "hal205"),
     (finding(57600, prompt="TRK>", listed="motor ngsearch"), "hal205"),
@@ -201,13 +215,13 @@ def test_what_is_seen_speaks_for_a_firmware_or_for_none(seen, firmware) -> None:
 
 
 def test_on_a_server_whose_rate_is_its_own_the_prompt_alone_counts() -> None:
-    assert heard_firmware(finding(prompt="TRK>"), "socket://here:1") == "g2"
+    assert heard_firmware(finding(57600, prompt="DVB>"), "socket://here:1") == "g2"
 
 
 def test_two_that_cannot_be_told_apart_are_both_named() -> None:
     odd = Foreign(b"", {b"\r": b"\r\nMOT>", b"?\r": b"?\r\na\r\ng\r\nq\r\nMOT>"})
     found = detect_firmware("socket://here:1", VirtualClock(), open_port=lambda _port, _baud: odd)
-    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "hal205"])
+    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "g2plus", "hal205"])
     assert "may be any of" in found.sentence
     assert "Say which with --firmware." in found.sentence
 

@@ -116,7 +116,10 @@ def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, ti
         sentence = f"{port} is a {name} ({candidates[0]}): {why}."
         return Detection(port, candidates[0], sentence, tuple(findings), clues, candidates, baud)
     if candidates:
-        seen = "; ".join(f"{clue.words} ({clue.firmware})" for clue in clues)
+        shown_by: dict[str, list[str]] = {}
+        for clue in clues:
+            shown_by.setdefault(clue.words, []).append(clue.firmware)
+        seen = "; ".join(f"{words} ({', '.join(firmwares)})" for words, firmwares in shown_by.items())
         sentence = f"{port} may be any of {', '.join(candidates)}: {seen}. Say which with --firmware."
         return Detection(port, None, sentence, tuple(findings), clues, candidates, baud)
     return Detection(port, None, _untold(port, findings), tuple(findings))

@@ -45,7 +45,7 @@ STALLED = re.compile(r"\bSTALLED\b")
 """An obstacle, which is said of the motion under way and not of the question."""
 
 
-def _nothing() -> None:
+def _nothing(*_: object) -> None:
     pass
 
 
@@ -93,6 +93,8 @@ class FirmwareProtocol(ABC):
     """How fine the angles are that the dish prints, as its last reading showed."""
     on_busy: Callable[[], None] = staticmethod(_nothing)
     """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
+    on_facts: Callable[[Facts], None] = staticmethod(_nothing)
+    """Told what the dish has shown that it is, where that differs from `model`: within `meet` alone."""
     permit: Callable[[], None] | None = None
     """Asked, with writing locked, just before a line that moves the dish; raises to keep it from going out."""
 
@@ -147,6 +149,10 @@ class FirmwareProtocol(ABC):
             return
         finally:
             link.close()
+
+    def meet(self) -> None:
+        """Find out whether it answers, and tell `on_facts` what it then shows of itself. NoReply says what came."""
+        self.console.synchronize()
 
     def reset_to_root(self) -> None:
         """Leave submenus until the root prompt shows. `q` is sent from a proven submenu only."""

@@ -80,7 +80,7 @@ class MenuRotator:
         link = (hooks.dial or _dial(clock))(address, baud or self.facts.baud)
         self.is_simulated = link.demo
         protocol, self._hooks = self.protocol, hooks
-        protocol.permit, protocol.on_busy = hooks.permit, hooks.on_busy
+        protocol.permit, protocol.on_busy, protocol.on_facts = hooks.permit, hooks.on_busy, hooks.on_facts
 
         def hear(text: str) -> None:
             if protocol.says_restart(text):
@@ -106,7 +106,7 @@ class MenuRotator:
 
     def meet(self) -> None:
         """See `Rotator`."""
-        self.protocol.console.synchronize()
+        self.protocol.meet()
         self.protocol.heard_position()  # what came until now may have waited in the line for long
 
     def make_ready(self) -> None:

@@ -47,7 +47,8 @@ class Hooks:
     on_facts: Callable[[Facts], None] = _nothing
     """Hears what the machine itself has told that it is, within `meet` or `survey`: ranges, speeds, cable.
 
-    How it takes a second move, and what stops it, stays as it was told before it was opened.
+    What stops it stays as it was told before it was opened, and so does how it takes a second move, unless `readback`
+    changes with it.
     """
     on_restart: Callable[[str], None] = _nothing
     """Hears a line that tells that the machine has just started: it has forgotten everything."""

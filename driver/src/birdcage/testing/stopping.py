@@ -30,9 +30,11 @@ class StoppingContract:
         """A rung that no case has seen at work is a promise.
 
         One that ends nothing but a sweep of the machine's own is for its own tests. Whether one works cannot be seen of
-        a machine that does not tell its position: STOP names none but a proven one.
+        a machine that does not tell its position: STOP names none but a proven one. Whether it tells may show only when
+        it is met.
         """
-        facts = machines.facts_of(bench.machine)
+        with Stage(bench) as stage:
+            facts = stage.ready().facts
         rungs = [rung for rung in facts.stop_ladder if rung.ends != {MoveKind.SWEEP}]
         ladder = [rung.means for rung in rungs if rung.means != BY_HAND]
         if not facts.tells_at_rest:

@@ -6,8 +6,8 @@ import re
 from typing import ClassVar
 
 from birdcage.console.events import Reply
-from birdcage.protocol.g2.reading import END, garbage, only_whole, search
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, garbage, only_whole, search
+from birdcage.protocol.trk.room import Room
 
 _RSSI = re.compile(rf"\bRSSI\s*[:=]?\s*(\d+){END}", re.IGNORECASE)
 _BARE = re.compile(r"\s*(\d+)\s*")

@@ -6,8 +6,8 @@ import re
 from typing import ClassVar
 
 from birdcage.coax.messages import LONGEST, read_message
-from birdcage.protocol.g2.reading import END, START, find, only_whole, search
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, START, find, only_whole, search
+from birdcage.protocol.trk.room import Room
 
 _HEX = re.compile(rf"{START}0x([0-9A-Fa-f]{{1,2}}){END}")
 _MS = re.compile(rf"{START}(\d+)\s*ms{END}", re.IGNORECASE)

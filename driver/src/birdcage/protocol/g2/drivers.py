@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import by_axis, only_whole, per_axis, search
-from birdcage.protocol.g2.room import Room
 from birdcage.protocol.motors import AZIMUTH, ELEVATION
+from birdcage.protocol.trk.reading import by_axis, only_whole, per_axis, search
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.feature import Value
 
 OK, FAULT = "OK", "FAULT"

@@ -8,8 +8,8 @@ from __future__ import annotations
 import re
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import END, garbage, search
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, garbage, search
+from birdcage.protocol.trk.room import Room
 
 _READ = re.compile(rf"Index:\s*(\d+)\s+Read value\s*=\s*([-+]?\d+){END}")
 _UNWRITTEN = re.compile(rf"Failed to read eeprom index:\s*(\d+)\s+val:\s*65793{END}")

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from birdcage.protocol.g2.reading import printed
 from birdcage.protocol.motors import AZIMUTH, ELEVATION
+from birdcage.protocol.trk.reading import printed
 from birdcage.rotator.feature import Cost, Feature, FeatureKind, FeaturePage, Range, Value
 from birdcage.rotator.feature_table import FeatureRow
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from birdcage.protocol.g2.feature_rows import Question, each, text, told, under
 from birdcage.protocol.g2.motors import GAINS
-from birdcage.protocol.g2.reading import per_axis
 from birdcage.protocol.motors import MOTORS, by_name
+from birdcage.protocol.trk.reading import per_axis
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import Feature, FeaturePage, Range, Value, Writer, speed_of
 from birdcage.rotator.feature_table import FeatureRow

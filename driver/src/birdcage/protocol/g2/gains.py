@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 
 from birdcage.console.events import Reply
-from birdcage.protocol.g2.reading import NUMBER, garbage, per_axis
 from birdcage.protocol.motors import AZIMUTH, ELEVATION
+from birdcage.protocol.trk.reading import NUMBER, garbage, per_axis
 from birdcage.rotator.feature import Value
 
 _GAINS = re.compile(rf"\bKp\s*=\s*(?P<kp>{NUMBER})[ ,]+Kv\s*=\s*(?P<kv>{NUMBER})(?:[ ,]+Ki\s*=\s*(?P<ki>{NUMBER}))?")

@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused
 from birdcage.base.reason import Reason
-from birdcage.protocol.g2.reading import END, find, search
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, find, search
+from birdcage.protocol.trk.room import Room
 
 _CALCULATE_S = 5.0
 _ROUNDING_DEG = 0.015

@@ -9,14 +9,13 @@ from birdcage.protocol.g2.latlon import LatLon
 from birdcage.protocol.g2.motors import Motors
 from birdcage.protocol.g2.peak import Peak
 from birdcage.protocol.g2.pins import Dipswitches, Gpio
-from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System
 from birdcage.protocol.g2.tuner import Tuner
-from birdcage.protocol.protocol import FirmwareProtocol
+from birdcage.protocol.trk.nvs import TrkNvsProtocol
 
 
-class G2Menus(FirmwareProtocol):
+class G2Menus(TrkNvsProtocol):
     """One property a menu. Each raises LinkError when no port is open."""
 
     @property
@@ -68,11 +67,6 @@ class G2Menus(FirmwareProtocol):
     def peak(self) -> Peak:
         """`PEAK>`: both polarisations, and the switch."""
         return Peak(self.console)
-
-    @property
-    def nvs(self) -> SettingsMemory:
-        """`NVS>`: the settings."""
-        return SettingsMemory(self.console)
 
     @property
     def system(self) -> System:

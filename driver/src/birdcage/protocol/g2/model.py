@@ -5,16 +5,14 @@ Source: docs/reference/g2.md, *Menus* and *What it can do*; docs/reference/g2-mo
 
 from __future__ import annotations
 
-import re
-
 from birdcage.base.beam import CountedBeam, Reflector
-from birdcage.base.reason import Reason
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol import plugs
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
 from birdcage.protocol.g2.features import CONSOLE_ONLY, features_of
 from birdcage.protocol.g2.own_settings import KNOWN
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION, row_label
+from birdcage.protocol.trk.dialect import REFUSALS
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.facts import (
     CableTurn,
@@ -148,17 +146,5 @@ DIALECT = ConsoleDialect(
         "This dish does not answer like a Carryout G2 (prompt `{prompt}`). Give --firmware hal205 if it is a Trav'ler. "
         "Nothing was moved."
     ),
-    # The texts themselves are not in any source (docs/reference/g2.md, *Hazards*). Words, then, not sentences.
-    refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
-        (
-            re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
-            Reason.BAD_PARAMETER,
-        ),
-        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
-        (
-            re.compile(r"^\s*(error|failed)\b(?! to read eeprom index)|\bSTALLED\b|\bHome Failure\b", re.IGNORECASE),
-            Reason.FAILED,
-        ),
-    ),
+    refusals=REFUSALS,
 )

@@ -18,9 +18,9 @@ from typing import ClassVar
 from birdcage.base.errors import CommandRefused
 from birdcage.base.reason import Reason
 from birdcage.protocol.g2.gains import read_gains
-from birdcage.protocol.g2.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, per_axis, search
-from birdcage.protocol.g2.room import Room
 from birdcage.protocol.motors import MOTORS
+from birdcage.protocol.trk.reading import END, NUMBER, by_motor, find, garbage, only_text, only_whole, per_axis, search
+from birdcage.protocol.trk.room import Room
 from birdcage.protocol.unhomed import is_unhomed
 from birdcage.rotator.feature import Value
 

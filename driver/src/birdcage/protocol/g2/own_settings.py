@@ -1,14 +1,12 @@
-"""The settings of a G2 as those of any machine, and what sources tell of its rows (docs/reference/g2-settings.md)."""
+"""What sources tell of the rows of a G2's settings (docs/reference/g2-settings.md)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 
-from birdcage.base.errors import NoReply
-from birdcage.protocol.g2.settings import SettingsMemory
-from birdcage.protocol.nvs import MAX_ELEVATION, MIN_ELEVATION, parse_once
+from birdcage.protocol.nvs import MAX_ELEVATION, MIN_ELEVATION
 from birdcage.rotator.feature import FeatureKind, Range
-from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
+from birdcage.rotator.own_settings import SettingKnown
 
 _LOG = "A wrong log or debug port can take the console away, and no command brings it back then."
 _SEARCH = "It shapes the TV search, which pointing does not use."
@@ -51,33 +49,3 @@ _ROWS = (
     *(SettingKnown(index, danger=_GAIN) for index in range(128, 134)),
 )  # fmt: skip
 KNOWN: Mapping[int, SettingKnown] = {each.index: each for each in sorted(_ROWS, key=lambda each: each.index)}
-
-
-class G2OwnSettings:
-    """Implements `OwnSettings` by the menu `NVS>`; `memory` returns it, and raises LinkError when no port is open."""
-
-    known = KNOWN
-    tells_saved = True
-
-    def __init__(self, memory: Callable[[], SettingsMemory]) -> None:
-        self._memory = memory
-
-    def parse(self, printed: Iterable[str]) -> Mapping[int, SettingRow]:
-        """Return the rows by index. What is printed twice, or in another form, is none."""
-        return {index: each.row for index, each in parse_once(printed).items()}
-
-    def read(self) -> SettingsTable:
-        """Read all with `d`."""
-        printed = self._memory().printed()
-        rows = self.parse(printed)
-        if not rows:
-            raise NoReply(f"The dish answered `d` with {len(printed)} lines, none of them a setting.")
-        return SettingsTable(printed, rows)
-
-    def write(self, index: int, value: str) -> SettingRow:
-        """Write one row in RAM with `e`."""
-        return self._memory().write(index, value).row
-
-    def save(self) -> None:
-        """Write RAM to flash with `s`."""
-        self._memory().save()

@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import ClassVar
 
-from birdcage.protocol.g2.reading import END, find, garbage
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, find, garbage
+from birdcage.protocol.trk.room import Room
 
 _SIGNALS = re.compile(rf"Even_sig\s*=\s*(\d+)\s*,?\s*Odd_sig\s*=\s*(\d+){END}")
 _SWITCH = re.compile(rf"SW Status:\s*0b([01]+)\s+(\d+){END}")

@@ -7,8 +7,8 @@ from typing import ClassVar
 
 from birdcage.console.events import Reply
 from birdcage.protocol.g2.pin_functions import PORTS, lines_of_port
-from birdcage.protocol.g2.reading import END, START, find, garbage, only_whole, printed, search
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, START, find, garbage, only_whole, printed, search
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.feature import Value
 
 _PIN = re.compile(r"[A-E]\d{1,2}")

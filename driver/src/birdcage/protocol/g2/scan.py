@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from birdcage.protocol.g2.reading import NUMBER
+from birdcage.protocol.trk.reading import NUMBER
 from birdcage.protocol.unhomed import is_unhomed
 
 _POINT = re.compile(

@@ -14,8 +14,8 @@ from birdcage.base.reason import Reason
 from birdcage.console.events import Reply
 from birdcage.protocol.g2.gains import read_gains
 from birdcage.protocol.g2.model import CARRYOUT_G2
-from birdcage.protocol.g2.reading import END, by_motor, per_axis
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END, by_motor, per_axis
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.feature import Value
 
 _MAX_VEL = re.compile(rf"Max Vel\s*\[(\d)\]\s*=\s*(\d+){END}")

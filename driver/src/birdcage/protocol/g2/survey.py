@@ -5,12 +5,13 @@ from __future__ import annotations
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.protocol.g2.features_motors import speeds_of
-from birdcage.protocol.g2.features_settings import angle_of, tv_search_of
+from birdcage.protocol.g2.features_settings import angle_of
 from birdcage.protocol.g2.motors import CEILING, FLOOR
-from birdcage.protocol.g2.settings import SettingsMemory
 from birdcage.protocol.g2.stepper import Stepper
 from birdcage.protocol.g2.system import System, identity_of
 from birdcage.protocol.nvs import DISABLE_TRACKER, MAX_ELEVATION, MIN_ELEVATION
+from birdcage.protocol.trk.settings import SettingsMemory
+from birdcage.protocol.trk.settings_rows import tv_search_of
 from birdcage.rotator.own_settings import row_id
 from birdcage.rotator.values import Survey
 

@@ -8,8 +8,8 @@ from typing import ClassVar
 
 from birdcage.base.errors import NoReply
 from birdcage.base.reason import Reason
-from birdcage.protocol.g2.reading import END
-from birdcage.protocol.g2.room import Room
+from birdcage.protocol.trk.reading import END
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.feature import VERSION, Value
 
 _FIELD = re.compile(r"^\s*([A-Za-z][\w -]*?):\s+(.+?)\s*$")

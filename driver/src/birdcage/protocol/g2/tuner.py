@@ -6,8 +6,6 @@ import re
 from typing import ClassVar
 
 from birdcage.protocol.g2.diseqc import Diseqc
-from birdcage.protocol.g2.reading import find, garbage, printed
-from birdcage.protocol.g2.room import Room
 from birdcage.protocol.g2.tuner_values import (
     read_agc,
     read_channel,
@@ -17,6 +15,8 @@ from birdcage.protocol.g2.tuner_values import (
     read_snr_db,
     read_volts,
 )
+from birdcage.protocol.trk.reading import find, garbage, printed
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.feature import Value
 from birdcage.rotator.values import RssiReading
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from birdcage.protocol.g2.reading import END, NUMBER, START, Fields, fields_of, printed
+from birdcage.protocol.trk.reading import END, NUMBER, START, Fields, fields_of, printed
 from birdcage.rotator.feature import NO_NETWORK, Value
 
 _RF = re.compile(rf"\bRF[ _]?(?:AGC)?\s*[:=]?\s*({NUMBER})", re.IGNORECASE)

@@ -8,8 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from birdcage.sim.g2.board import G2Board
-from birdcage.sim.g2.menu import Command, G2Menu
+from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
+from birdcage.sim.trk.menu import Command
 
 
 class A3981Menu(G2Menu):

@@ -9,15 +9,13 @@ from datetime import timedelta
 from birdcage.sim.chance import seeded
 from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.mechanics import G2Dish
-from birdcage.sim.g2.nvram import AZ_GAINS, EL_GAINS, Nvram
+from birdcage.sim.g2.nvram import AZ_GAINS, EL_GAINS, g2_nvram
 from birdcage.sim.g2.sleep import Sleep
 from birdcage.sim.g2.tuner import SimTuner
 from birdcage.sim.machine import Machine
 from birdcage.sim.sky import SimSky
 from birdcage.sim.stance import Stance
 
-INT_MAX = 2147483647
-"""What an axis reports, and `scan` aims at, until it is homed (noted: docs/reference/g2-motors.md, *Position*)."""
 ADC_NOISE_COUNTS = 1.5
 """Standard deviation of one raw reading: 233 to 238 over the empty sky (noted: docs/reference/g2-signal.md,
 *Levels*)."""
@@ -38,7 +36,7 @@ class G2Board:
         self.stance = Stance(settings)
         self.tuner = SimTuner(self)
         self._adc_rng = seeded("adc", settings.seed)
-        self.nvram = Nvram(self._own_values(), settings)
+        self.nvram = g2_nvram(self._own_values(), settings)
         self.sleep = Sleep(self)
         self.power_on()
 
@@ -58,6 +56,29 @@ class G2Board:
         above = self.tuner.level(self.now_s)[1]
         settings = self.settings
         return round(self._adc_rng.gauss(settings.adc_floor + above * settings.adc_scale, ADC_NOISE_COUNTS))
+
+    def bounds(self, index: int) -> tuple[float, float]:
+        """Return the lowest and highest count that the firmware allows, in degrees."""
+        if index == 1:
+            return self.nvram.active[101], self.nvram.active[102]
+        return self._cable() if self.wrap_managed[0] else (-math.inf, math.inf)
+
+    def _cable(self) -> tuple[float, float]:
+        data, shift = self.dish.axes[0].data, self.wrap_shift_deg[0]
+        return data.low_deg - shift, data.high_deg - shift
+
+    def referenced(self, index: int) -> str:
+        """Count the turns of the cable anew; tell of the azimuth where it stands."""
+        self.wrap_shift_deg[index] = 0.0
+        if index != 0:
+            return ""
+        centideg = round(self.dish.axes[0].count(self.now_s)[0] * 100)
+        return f"{self.wrap_text()}AZ - Angle: {centideg} Wrap: 0\n"
+
+    def wrap_text(self) -> str:
+        """Return how the limits of the cable are printed."""
+        low, high = (round(deg * 100) for deg in self._cable())
+        return f"wrap_min:{low} wrap_max:{high}\n"
 
     def power_on(self) -> None:
         """Read the settings memory and go by it from now on; what was only in RAM is gone."""
@@ -85,12 +106,3 @@ class G2Board:
         return {20: float(settings.nvs20)} | {
             first + index: gain for first in (AZ_GAINS, EL_GAINS) for index, gain in enumerate(gains)
         }
-
-
-def number(text: str) -> float | None:
-    """Read a finite number as the firmware would; None when it is none."""
-    try:
-        value = float(text)
-    except ValueError:
-        return None
-    return value if math.isfinite(value) else None

@@ -6,9 +6,9 @@ Source: docs/reference/g2.md, *Power-up*.
 from __future__ import annotations
 
 from birdcage.sim.g2.board import G2Board
-from birdcage.sim.g2.mot_reference import home
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.shell import Pause, Script
+from birdcage.sim.trk.homing import home
 
 BEFORE_HOMING = (
     (0.3, "Bootloader v1.01"),

@@ -10,8 +10,9 @@ from __future__ import annotations
 import re
 
 from birdcage.sim.g2.eeprom import whole
-from birdcage.sim.g2.menu import Command, G2Menu
+from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Pause, Script
+from birdcage.sim.trk.menu import Command
 
 RAW_CONFIG = "3 21180544 238 <4.5"
 TIMED_OUT = "RxReplyTimeout"

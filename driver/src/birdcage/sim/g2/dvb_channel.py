@@ -9,10 +9,11 @@ from collections.abc import Iterator
 
 from birdcage.sim.chance import seeded
 from birdcage.sim.g2.eeprom import whole
-from birdcage.sim.g2.menu import Command, G2Menu
+from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.g2.tuner import TRANSPONDERS, TunerReading
 from birdcage.sim.shell import Pause, Script
+from birdcage.sim.trk.menu import Command
 
 FREQUENCIES_KHZ = 950_000, 2_150_000
 SYMBOL_RATES_KSPS = 1_000, 45_000

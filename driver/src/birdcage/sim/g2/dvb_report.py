@@ -8,9 +8,10 @@ networks is noted. Every line around them is assumed.
 
 from __future__ import annotations
 
-from birdcage.sim.g2.menu import Command, G2Menu
+from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tuner import NO_NETWORK
 from birdcage.sim.shell import Pause, Script
+from birdcage.sim.trk.menu import Command
 
 RANGE_READS = 20
 PORTS = 4

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
 from birdcage.sim.firmware import FirmwareHost, FirmwareKind
 from birdcage.sim.g2.a3981 import A3981Menu
 from birdcage.sim.g2.adc import AdcMenu
@@ -18,31 +15,27 @@ from birdcage.sim.g2.knobs import G2Settings
 from birdcage.sim.g2.latlon import LatLonMenu
 from birdcage.sim.g2.mechanics import G2Dish
 from birdcage.sim.g2.mot import MotMenu
-from birdcage.sim.g2.nvs import G2NvsMenu
 from birdcage.sim.g2.peak import PeakMenu
 from birdcage.sim.g2.root import G2RootMenu
 from birdcage.sim.g2.step import StepMenu
 from birdcage.sim.g2.system import SystemMenu
 from birdcage.sim.g2.tracker import Tracker
 from birdcage.sim.shell import Menu, Pause, Script
+from birdcage.sim.trk.firmware import TrkFirmware
+from birdcage.sim.trk.nvs import TrkNvsMenu
 
 
-class G2Firmware:
+class G2Firmware(TrkFirmware):
     """Version 02.02.48 (docs/reference/g2.md)."""
 
-    baud = 115200
-    """Source: docs/reference/g2.md, *Line*."""
+    dish: G2Dish
 
     def __init__(self, settings: G2Settings, host: FirmwareHost) -> None:
         self.dish = G2Dish(settings, host.truth)
         self.board = G2Board(settings, host.machine, self.dish, host.restart)
         self.tracker = Tracker(self.board)
         self.menus = menus(self.board)
-        self._host = host
-        for axis in self.dish.axes:
-            axis.slips_at_stop = settings.stall == "slip"
-            axis.on_strike = partial(self._strikes, axis)
-            axis.on_blocked = partial(self._pushes, axis)
+        super().__init__(settings, host)
 
     def resume(self) -> None:
         """Stand still: one whose search is on has found its satellite."""
@@ -57,24 +50,6 @@ class G2Firmware:
         self._host.shell.hears = self.board.sleep.hears
         self.board.power_on()
         return boot_log(self.board, self.tracker) if home else _restart_log()
-
-    def stalled(self, axis: AxisMechanics) -> None:
-        """Say so (noted of another dish of this maker: docs/reference/consoles.md, *Stalls*)."""
-        self._host.say(f"{axis.data.name} MOTOR STALLED\n")
-
-    def _strikes(self, axis: AxisMechanics, end_s: float) -> None:
-        """Foresee that a motion will end at a stop: the firmware says so then, unless it ended otherwise."""
-
-        def struck() -> None:
-            if axis.end_s() == end_s:
-                self.stalled(axis)
-
-        self._host.machine.at_dish(end_s, struck)
-
-    def _pushes(self, axis: AxisMechanics) -> None:
-        """Find out that an axis does not turn, as at a stop; not when it was freed meanwhile."""
-        machine = self._host.machine
-        machine.at_dish(machine.dish_s + STALL_DWELL_S, lambda: self.stalled(axis) if axis.stalled else None)
 
 
 def _restart_log() -> Script:
@@ -96,7 +71,7 @@ def menus(board: G2Board) -> dict[str, Menu]:
         "gpio": GpioMenu(board),
         "latlon": LatLonMenu(board),
         "mot": MotMenu(board),
-        "nvs": G2NvsMenu(board),
+        "nvs": TrkNvsMenu(board),
         "os": SystemMenu(board),
         "peak": PeakMenu(board),
         "step": StepMenu(board),

@@ -12,9 +12,10 @@ import math
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.sim.almanac import EARTH_RADIUS_KM, GEO_RADIUS_KM
-from birdcage.sim.g2.board import G2Board, number
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
+from birdcage.sim.trk.limits import number
 
 
 class LatLonMenu(G2Menu):

@@ -9,6 +9,7 @@ from birdcage.sim.g2 import mot_info, mot_moves, mot_reference, sweep
 from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Script
+from birdcage.sim.trk import homing, moves
 
 TELLING: dict[str, Callable[[G2Board], Script]] = {
     "elminmaxhome": mot_info.el_limits,
@@ -22,13 +23,13 @@ TELLING: dict[str, Callable[[G2Board], Script]] = {
 }
 """Commands that take no argument."""
 ASKING: dict[str, Callable[[G2Board, list[str]], Script | None]] = {
-    "a": mot_moves.angle,
+    "a": moves.angle,
     "azscan": sweep.azscan,
     "azscanwxp": sweep.azscanwxp,
     "ela2s": mot_info.el_to_steps,
     "els2a": mot_info.steps_to_el,
     "g": mot_moves.both,
-    "h": mot_reference.homing,
+    "h": homing.homing,
     "motorboth": mot_moves.test_both,
     "pid": mot_info.gains,
     "sd": mot_moves.stall_test,

@@ -6,9 +6,9 @@ their lines are assumed, made like these.
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import INT_MAX, G2Board, number
-from birdcage.sim.g2.mot_limits import motor
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.shell import Script
+from birdcage.sim.trk.limits import INT_MAX, motor, number
 
 NAMES = ("AZIMUTH", "ELEVATION")
 

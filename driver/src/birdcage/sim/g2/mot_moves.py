@@ -1,4 +1,4 @@
-"""The commands of `MOT>` that move (docs/reference/g2-motors.md): `a`, `g`, `vms`, `motorboth` and `sd`.
+"""The commands of `MOT>` that move (docs/reference/g2-motors.md) beside `a`: `g`, `vms`, `motorboth` and `sd`.
 
 The arguments are quoted (noted); but for `a`, what is printed and how the shell waits is assumed or a setting.
 """
@@ -6,83 +6,13 @@ The arguments are quoted (noted); but for `a`, what is printed and how the shell
 from __future__ import annotations
 
 from birdcage.sim.axis import STALL_DWELL_S, AxisMechanics
-from birdcage.sim.g2.board import G2Board, number
-from birdcage.sim.g2.mot_limits import bounds, motor, target, unhomed
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.shell import Listen, Pause, Script
+from birdcage.sim.trk.limits import motor, number, target, unhomed
+from birdcage.sim.trk.moves import show
 
 FAR_DEG = 1e6
 """Farther than any stop: an axis that is told to spin goes there."""
-
-
-def reported(board: G2Board, index: int) -> str:
-    """Print where an axis believes to be, as `a` does."""
-    axis = board.dish.axes[index]
-    if not axis.homed:
-        return board.settings.unhomed_angle
-    centideg = round(axis.count(board.now_s)[0] * 100)
-    if index == 0 and board.settings.az_print == "wrapped":
-        centideg %= 36000
-    return f"{centideg / 100:.2f}"
-
-
-def angle(board: G2Board, args: list[str]) -> Script | None:
-    """`a`: show both angles, or move one axis; None when the arguments are no good."""
-    if not args:
-        return _show(board)
-    wanted = number(args[1]) if len(args) == 2 else None
-    index = motor(args[0])
-    if index is None or wanted is None:
-        return None
-    axis = board.dish.axes[index]
-    if not axis.homed:
-        return unhomed(board, axis)
-    if board.settings.signed == "relative" and args[1][0] in "+-":
-        base = axis.ordered_deg() if board.now_s < axis.end_s() else axis.count(board.now_s)[0]
-        wanted += base % 360.0 if index == 0 else base
-    return _one(board, index, wanted)
-
-
-def _show(board: G2Board) -> Script:
-    yield "".join(f"Angle[{index}] = {reported(board, index)}\n" for index in (0, 1))
-
-
-def _one(board: G2Board, index: int, wanted: float) -> Script:
-    goal = target(board, index, wanted)
-    if goal is None:
-        yield f"{board.settings.out_of_range_text}\n"
-        return
-    axis = board.dish.axes[index]
-    policy = board.settings.second_move
-    if axis.moving(board.now_s) and policy == "refuse":
-        yield f"{board.settings.busy_text}\n"
-        return
-    if (waits_s := _waits_s(board, index)) > 0.0:
-        yield Pause(waits_s)
-    if policy == "queue":
-        axis.queue(board.now_s, goal)
-    elif policy == "in_turn":
-        axis.queue(board.now_s, goal, not_before_s=max(each.end_s() for each in board.dish.axes))
-    else:
-        axis.retarget(board.now_s, goal)
-    yield _taken(board, index, wanted if index == 0 else goal)
-
-
-def _waits_s(board: G2Board, index: int) -> float:
-    """Return how long the shell blocks before an axis takes its next command."""
-    settings, now_s = board.settings, board.now_s
-    same, other = settings.second_move == "block", settings.second_other == "block"
-    ends = (each.end_s() for at, each in enumerate(board.dish.axes) if (same if at == index else other))
-    return max((end_s - now_s for end_s in ends), default=0.0)
-
-
-def _taken(board: G2Board, index: int, deg: float) -> str:
-    match board.settings.move_reply:
-        case "none":
-            return ""
-        case "np":
-            return f"m {index}  a {round(deg * 100)}  np {round(deg / board.dish.axes[index].step_deg)}\n"
-        case _:
-            return f"Angle = {deg:.2f}\n"
 
 
 def both(board: G2Board, args: list[str]) -> Script | None:
@@ -113,7 +43,7 @@ def _go(board: G2Board, az_deg: float, el_deg: float) -> Script:
         for axis in axes:
             axis.brake(board.now_s)
     if board.settings.g_reply == "angles":
-        yield from _show(board)
+        yield from show(board)
 
 
 def velocity(board: G2Board, args: list[str]) -> Script | None:
@@ -129,7 +59,7 @@ def _spin(board: G2Board, index: int, rate_deg_s: float, seconds: float) -> Scri
     axis = board.dish.axes[index]
     end_s = board.now_s + seconds
     if rate_deg_s:
-        low, high = bounds(board, index) if axis.homed else (-FAR_DEG, FAR_DEG)
+        low, high = board.bounds(index) if axis.homed else (-FAR_DEG, FAR_DEG)
         axis.retarget(
             board.now_s, min(high, FAR_DEG) if rate_deg_s > 0 else max(low, -FAR_DEG), rate_deg_s=abs(rate_deg_s)
         )
@@ -164,7 +94,7 @@ def _out_and_back(board: G2Board) -> Script:
     starts = [axis.count(board.now_s)[0] for axis in axes]
     outs = []
     for index, start in enumerate(starts):
-        low, high = bounds(board, index)
+        low, high = board.bounds(index)
         by = board.settings.motorboth_deg
         outs.append(min(start + by, high) if start + by <= high else max(start - by, low))
     for goals in (outs, starts):

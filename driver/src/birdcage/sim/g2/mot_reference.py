@@ -1,39 +1,13 @@
-"""The commands of `MOT>` that say where an axis is: `h`, `sp`, `sw` and `w`.
+"""The commands of `MOT>` that say where an axis is, beside `h`: `sp`, `sw` and `w`.
 
-Source: docs/reference/g2-commands.md, *MOT>*; docs/reference/g2-motors.md, *Homing*.
+Source: docs/reference/g2-commands.md, *MOT>*.
 """
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import G2Board, number
-from birdcage.sim.g2.mot_limits import motor
-from birdcage.sim.shell import Pause, Script
-
-
-def home(board: G2Board, index: int) -> Script:
-    """Home one axis: blocks until done or timed out, then prints what the firmware prints."""
-    axis = board.dish.axes[index]
-    if axis.released:
-        board.dish.engage(board.now_s)
-    yield Pause(axis.home(board.now_s) - board.now_s)
-    if not axis.homing_done(board.now_s):
-        yield f"{axis.data.name} Motor Home Failure\n"
-        return
-    board.wrap_shift_deg[index] = 0.0
-    if index == 0:
-        centideg = round(axis.count(board.now_s)[0] * 100)
-        yield f"{_wrap(board)}AZ - Angle: {centideg} Wrap: 0\n"
-
-
-def homing(board: G2Board, args: list[str]) -> Script | None:
-    """`h <id>` or `h *`: the elevation first, as at power-on."""
-    which = {"0": (0,), "1": (1,), "*": (1, 0)}.get(args[0]) if len(args) == 1 else None
-    return None if which is None else _home(board, which)
-
-
-def _home(board: G2Board, which: tuple[int, ...]) -> Script:
-    for index in which:
-        yield from home(board, index)
+from birdcage.sim.g2.board import G2Board
+from birdcage.sim.shell import Script
+from birdcage.sim.trk.limits import motor, number
 
 
 def set_position(board: G2Board, args: list[str]) -> Script | None:
@@ -57,7 +31,7 @@ def set_wrap(board: G2Board, args: list[str]) -> Script | None:
 
 def _shift(board: G2Board, index: int, position_deg: float) -> Script:
     board.wrap_shift_deg[index] = position_deg - board.dish.axes[index].count(board.now_s)[0]
-    yield _wrap(board) if index == 0 else ""
+    yield board.wrap_text() if index == 0 else ""
 
 
 def wrap_manager(board: G2Board, args: list[str]) -> Script | None:
@@ -83,9 +57,3 @@ def _given(board: G2Board, args: list[str]) -> tuple[int, float] | None:
         return None
     units = {"deg": 1.0, "cdeg": 0.01, "steps": board.dish.axes[index].step_deg}
     return index, position * units[board.settings.position_unit]
-
-
-def _wrap(board: G2Board) -> str:
-    data, shift = board.dish.axes[0].data, board.wrap_shift_deg[0]
-    low, high = round((data.low_deg - shift) * 100), round((data.high_deg - shift) * 100)
-    return f"wrap_min:{low} wrap_max:{high}\n"

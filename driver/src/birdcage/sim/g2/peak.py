@@ -7,10 +7,11 @@ the place where it stands and end at the best one that they found. The shell is 
 from __future__ import annotations
 
 from birdcage.sim.chance import seeded
-from birdcage.sim.g2.board import INT_MAX, G2Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.g2.tuner import HORIZONTAL_V, VERTICAL_V
 from birdcage.sim.shell import Die, Pause, Script
+from birdcage.sim.trk.limits import INT_MAX
 
 READS = 10
 TOGGLE_S = 0.3

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import INT_MAX, G2Board
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
 from birdcage.sim.shell import Die, Enter, Pause, Script
+from birdcage.sim.trk.limits import INT_MAX
 
 SUBMENUS = {
     "a3981": "Motor Driver",

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 
 from birdcage.sim.axis import AxisMechanics
-from birdcage.sim.g2.board import G2Board, number
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
-from birdcage.sim.g2.mot_limits import motor as motor_number
 from birdcage.sim.g2.mot_moves import FAR_DEG
 from birdcage.sim.shell import Script
+from birdcage.sim.trk.limits import motor as motor_number
+from birdcage.sim.trk.limits import number
 
 
 class StepMenu(G2Menu):

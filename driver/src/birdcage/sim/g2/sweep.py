@@ -11,10 +11,10 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
 from birdcage.sim.axis import AxisMechanics
-from birdcage.sim.g2.board import INT_MAX, G2Board, number
-from birdcage.sim.g2.mot_limits import angle_error, bounds, motor
+from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.tuner import TRANSPONDERS
 from birdcage.sim.shell import Die, Listen, Pause, Script, Step
+from birdcage.sim.trk.limits import INT_MAX, angle_error, motor, number
 
 Part = Generator[Step, bool | None, bool]
 """A part of a script that tells whether a key broke it off."""
@@ -107,7 +107,7 @@ def _rows(board: G2Board, az_deg: float, el_deg: float, pause_s: float) -> Scrip
     rows = board.settings.azscan_rows if el_deg and el.homed else 1
     for row in range(rows):
         if row:
-            low, high = bounds(board, 1)
+            low, high = board.bounds(1)
             goal = el.ordered_deg() + el_deg
             if not low <= goal <= high:
                 return
@@ -122,7 +122,7 @@ def _rows(board: G2Board, az_deg: float, el_deg: float, pause_s: float) -> Scrip
 def _row(board: G2Board, sweep: Sweep) -> Part:
     """Go along, and return whether a key broke it off (setting `sweep_key`)."""
     axis = board.dish.axes[sweep.motor]
-    low, high = bounds(board, sweep.motor)
+    low, high = board.bounds(sweep.motor)
     start = axis.count(board.now_s)[0]
     way = sweep.step_cdeg / 100.0
     if not low <= start + way * (sweep.points - 1) <= high:

@@ -1,11 +1,11 @@
-"""What the G2 prints when it homes (docs/reference/g2-motors.md, *Homing*)."""
+"""What such a dish prints when it homes (docs/reference/g2-motors.md, *Homing*)."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable
 
-from birdcage.protocol.g2.reading import END, Fields, fields_of
+from birdcage.protocol.trk.reading import END, Fields, fields_of
 from birdcage.rotator.feature import Value
 
 _WRAP = r"wrap_min:\s*(?P<low>[-+]?\d+)\s+wrap_max:\s*(?P<high>[-+]?\d+)"

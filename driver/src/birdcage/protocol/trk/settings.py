@@ -6,8 +6,8 @@ from typing import ClassVar
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
-from birdcage.protocol.g2.room import Room
 from birdcage.protocol.nvs import NvsRow, parse_edit, parse_nvs
+from birdcage.protocol.trk.room import Room
 from birdcage.rotator.setting_values import same_value
 
 _TABLE_S = _SAVE_S = 10.0

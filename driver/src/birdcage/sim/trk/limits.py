@@ -3,11 +3,44 @@
 from __future__ import annotations
 
 import math
+from typing import Protocol
 
 from birdcage.base.geometry import shortest_turn
 from birdcage.sim.axis import AxisMechanics
-from birdcage.sim.g2.board import INT_MAX, G2Board
+from birdcage.sim.dish import DishMechanics
 from birdcage.sim.shell import Die, Script
+from birdcage.sim.trk.knobs import TrkSettings
+
+INT_MAX = 2147483647
+"""What an axis reports, and a sweep aims at, until it is homed (noted: docs/reference/g2-motors.md, *Position*)."""
+
+
+class MotorBoard(Protocol):
+    """What the motor menu needs of the board."""
+
+    @property
+    def settings(self) -> TrkSettings:
+        """The knobs."""
+
+    @property
+    def dish(self) -> DishMechanics:
+        """The motors."""
+
+    @property
+    def now_s(self) -> float:
+        """Dish time."""
+
+    def bounds(self, index: int) -> tuple[float, float]:
+        """Return the lowest and highest count that the firmware allows, in degrees."""
+
+
+def number(text: str) -> float | None:
+    """Read a finite number as the firmware would; None when it is none."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if math.isfinite(value) else None
 
 
 def motor(text: str) -> int | None:
@@ -15,20 +48,10 @@ def motor(text: str) -> int | None:
     return int(text) if text in ("0", "1") else None
 
 
-def bounds(board: G2Board, index: int) -> tuple[float, float]:
-    """Return the lowest and highest count that the firmware allows, in degrees."""
-    if index == 1:
-        return board.nvram.active[101], board.nvram.active[102]
-    if not board.wrap_managed[0]:
-        return -math.inf, math.inf
-    data, shift = board.dish.axes[0].data, board.wrap_shift_deg[0]
-    return data.low_deg - shift, data.high_deg - shift
-
-
-def target(board: G2Board, index: int, wanted: float) -> float | None:
+def target(board: MotorBoard, index: int, wanted: float) -> float | None:
     """Return the count that an angle means; None when it is out of range (setting `out_of_range`)."""
     settings = board.settings
-    low, high = bounds(board, index)
+    low, high = board.bounds(index)
     if index == 0:
         if not settings.az_outside and not 0.0 <= wanted <= 360.0:
             return None
@@ -38,7 +61,7 @@ def target(board: G2Board, index: int, wanted: float) -> float | None:
     return min(max(wanted, low), high) if settings.out_of_range == "clamp" else None
 
 
-def _cable_target(board: G2Board, az_deg: float, low: float, high: float) -> float | None:
+def _cable_target(board: MotorBoard, az_deg: float, low: float, high: float) -> float | None:
     """Choose the turn of the cable (setting `az_map`); without the wrap manager the shortest way, wherever it leads."""
     here = board.dish.axes[0].count(board.now_s)[0]
     if board.settings.az_map == "literal":
@@ -59,7 +82,7 @@ def angle_error(axis: AxisMechanics) -> str:
     return f"Step to Position {axis.data.name} angle error: {INT_MAX}\n"
 
 
-def unhomed(board: G2Board, axis: AxisMechanics) -> Script:
+def unhomed(board: MotorBoard, axis: AxisMechanics) -> Script:
     """Refuse a move of an unhomed axis, or hang (setting `unhomed_move`)."""
     if board.settings.unhomed_move == "deadlock":
         yield Die()

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from birdcage.sim.g2.board import G2Board
-from birdcage.sim.g2.menu import G2Menu
+from collections.abc import Callable
+from typing import Protocol
+
+from birdcage.sim.settings import SimSettings
 from birdcage.sim.shell import Pause, Script
+from birdcage.sim.trk.menu import TrkMenu
+from birdcage.sim.trk.nvram import Nvram
 
 HEADER = (
     "Num  Name                         Current      Saved      Default\n"
@@ -16,7 +20,18 @@ SAVE_S = 0.5
 """How long flash takes (assumed)."""
 
 
-class G2NvsMenu(G2Menu):
+class NvsBoard(Protocol):
+    """What this menu needs of the board."""
+
+    nvram: Nvram
+    at_power_on: list[Callable[[], None]]
+
+    @property
+    def settings(self) -> SimSettings:
+        """The knobs."""
+
+
+class TrkNvsMenu(TrkMenu[NvsBoard]):
     """Shows, edits and saves settings. Words it does not know read the next row: no error is ever printed (noted)."""
 
     prompt = "NVS>"
@@ -28,7 +43,7 @@ class G2NvsMenu(G2Menu):
         "s - Save to flash",
     )
 
-    def __init__(self, board: G2Board) -> None:
+    def __init__(self, board: NvsBoard) -> None:
         super().__init__(board)
         self.commands |= {"d": self._dump, "e": self._edit, "s": self._save}
         self._begin()

@@ -1,4 +1,4 @@
-"""What the rooms of the G2's console share: one menu each, over an open console."""
+"""What the rooms of such a console share: one menu each, over an open console."""
 
 from __future__ import annotations
 

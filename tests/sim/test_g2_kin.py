@@ -1,0 +1,68 @@
+"""The consoles of the G2's kin, line by line, against docs/reference/g2-kin.md."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.clock import VirtualClock
+from birdcage.sim.port import SimPort, open_device
+
+
+class Terminal:
+    """Types lines and reads what comes back."""
+
+    def __init__(self, address: str, end: str = "\r") -> None:
+        self.clock, self.end = VirtualClock(), end
+        self.device = open_device(address, clock=self.clock)
+        self.port = SimPort(self.device, "terminal", baud=115200)
+
+    def type(self, line: str, seconds: float = 0.1) -> str:
+        self.port.write((line + self.end).encode())
+        self.clock.advance(seconds)
+        return self.port.read().decode()
+
+
+def test_a_g2_plus_homes_both_axes_and_says_so_at_the_end():
+    dish = Terminal("g2plus?seed=1&unhomed=1")
+    assert dish.type("mot") == "mot\r\nMOT>"
+    assert dish.type("h *", 30.0) == "h *\r\nAZ - Angle: 1 Wrap: 0\r\nMOT>"
+    truth = dish.device.truth()
+    assert (truth.homed, truth.el_deg) == (True, pytest.approx(65.0, abs=0.1))
+    assert min(truth.az_deg, 360.0 - truth.az_deg) < 0.1
+
+
+def test_a_g2_plus_answers_a_move_with_the_angle_before_it_is_there():
+    dish = Terminal("g2plus?seed=1")
+    dish.type("mot")
+    assert dish.type("a 0 90.0") == "a 0 90.0\r\nAngle = 90.00\r\nMOT>"
+    assert dish.device.truth().moving
+    dish.clock.advance(10.0)
+    assert dish.device.truth().az_deg == pytest.approx(90.0, abs=0.1)
+
+
+@pytest.mark.parametrize(("bare", "answer"), [
+    ("angles", "Angle[0] = 0.00\r\nAngle[1] = 45.00\r\n"), ("error", "Invalid parameter.\r\n"), ("nothing", ""),
+    ("target", "Angle = 0.00\r\n"),
+])  # fmt: skip
+def test_what_a_bare_a_is_answered_with_is_open(bare, answer):
+    dish = Terminal(f"g2plus?seed=1&bare_a={bare}")
+    dish.type("mot")
+    assert dish.type("a") == f"a\r\n{answer}MOT>"
+
+
+def test_row_20_is_that_of_the_tv_search_and_counts_from_the_next_power_up():
+    dish = Terminal("g2plus?seed=1&homes_at_boot=1")
+    dish.type("nvs")
+    assert " 20) Disable Tracker Proc?" in dish.type("d")
+    assert dish.type("e 20 1").split() == ["e", "20", "1", "20)", "Disable", "Tracker", "Proc?", "FALSE", ".", "TRUE",
+                                           "NVS>"]  # fmt: skip
+    assert "doneSuccess" in dish.type("s", 2.0)
+    dish.device.power_cycle()
+    dish.clock.advance(60.0)
+    assert not dish.device.truth().homed, "with the search off it does not home by itself"
+
+
+def test_one_with_its_search_on_homes_at_power_up():
+    dish = Terminal("g2plus?seed=1&boot=1&homes_at_boot=1")
+    dish.clock.advance(60.0)
+    assert dish.device.truth().homed
+    assert dish.port.read().decode().endswith("AZ - Angle: 1 Wrap: 0\r\nTRK>")
