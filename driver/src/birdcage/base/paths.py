@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import tempfile
@@ -36,6 +37,9 @@ class Paths:
     """Everything that passed on the wire."""
     state: Path
     """What the program remembers: history, the journal, the last turn of the cable."""
+    own: Path
+    """The same of the one dish that this `birdcage.toml` describes: its peaks, what it follows. The usual file's is
+    `state` itself; another file is another dish, with a folder of its own."""
     backups: Path
     """Tables read from a dish before something was written to it."""
     catalogue: Path
@@ -61,7 +65,7 @@ class Paths:
     @property
     def found_directions(self) -> Path:
         """Where step-track found satellites that wander, day after day."""
-        return self.state / "step-track.jsonl"
+        return self.own / "step-track.jsonl"
 
     @property
     def history(self) -> Path:
@@ -108,14 +112,20 @@ class Paths:
             logs=logs,
             transcripts=state / "transcripts",
             state=state,
+            own=state,
             backups=data / "backups",
             catalogue=data / "catalogue.sqlite",
             passes=data / "passes",
         )
 
     def with_config(self, config_file: Path) -> Paths:
-        """Return the same places with another `birdcage.toml`."""
-        return replace(self, config_file=config_file)
+        """Return the same places with another `birdcage.toml`, and what belongs to its dish."""
+        real = config_file.resolve()
+        if real == self.config_file.resolve():
+            return replace(self, config_file=config_file)
+        # The name is for people; what tells one file from another is the sum.
+        name = f"{real.stem}-{hashlib.sha256(str(real).encode()).hexdigest()[:8]}"
+        return replace(self, config_file=config_file, own=self.state / "settings" / name)
 
 
 @contextmanager

@@ -34,7 +34,7 @@ class Peaks:
 
 def peaks_file(paths: Paths) -> Path:
     """Return where peaks are kept."""
-    return paths.state / "peaks.jsonl"
+    return paths.own / "peaks.jsonl"
 
 
 def load_peaks(path: Path) -> Peaks:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import signal
 import threading
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
+from functools import partial
 
 import click
 
@@ -22,6 +23,7 @@ from birdcage.cli.station_command import CONFIRM_S, StationCommand
 from birdcage.cli.which import with_firmware
 from birdcage.station.control_client import owners_folder
 from birdcage.station.control_server import ControlServer
+from birdcage.station.every_dish import EveryDish
 from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
@@ -135,43 +137,55 @@ def open_dish(
     line says where the dish is. `clock`: another one than the wall's, for a simulated dish. Without a named
     firmware, the port is asked first. ConfigError for a firmware that this version does not speak.
     """
-    wanted = with_firmware(wanted, clock=clock)
-    dish = DishSession(_session(wanted, clock or RealClock(), survey=survey), moves=moves)
+    with open_dishes((wanted,), moves=moves, survey=survey, clock=clock) as (dish,):
+        yield dish
+
+
+@contextmanager
+def open_dishes(
+    wanted: Sequence[Wanted], *, moves: bool = False, survey: bool = True, clock: Clock | None = None
+) -> Iterator[tuple[DishSession, ...]]:
+    """Open several dishes as `open_dish` does one. What ends the command ends all, and STOP reaches all at once."""
+    wants = [with_firmware(each, clock=clock) for each in wanted]
+    dishes = tuple(DishSession(_session(each, clock or RealClock(), survey=survey), moves=moves) for each in wants)
     with ExitStack() as stack:
-        signals = take_signals(stack, dish)
-        begun = dish.now
-        if not wanted.port.startswith("sim:"):
-            control = ControlServer(
-                dish.station, owners_folder(wanted.paths), _program(), dish.session.on_wire, dish.services
-            )
-            stack.callback(control.close)
-        if moves:
-            stack.callback(SleepInhibitor(dish.station).close)
-        dish.session.start()
+        signals = take_signals(stack, *dishes)
+        begun = [dish.now for dish in dishes]
+        for dish, each in zip(dishes, wants, strict=True):
+            if not each.port.startswith("sim:"):
+                control = ControlServer(
+                    dish.station, owners_folder(each.paths), _program(), dish.session.on_wire, dish.services
+                )
+                stack.callback(control.close)
+            if moves:
+                stack.callback(SleepInhibitor(dish.station).close)
+            dish.session.start()
         try:
             try:
-                yield dish
+                yield dishes
             finally:
                 if signals is not None:
-                    signals.leave(LEAVE_S)
+                    signals.leave(LEAVE_S * len(dishes))
         except (BirdcageError, EndedBySignal, click.ClickException) as error:
-            leave_dish(dish, begun, error, wanted)
-            if isinstance(error, NoReply) and not wanted.firmware_given:
+            _leave_all(dishes, begun, error, wants)
+            if isinstance(error, NoReply) and not wants[0].firmware_given:
                 error.add_note(
-                    f"Firmware unknown, so {wanted.firmware} was tried. `birdcage detect` shows the answer at "
+                    f"Firmware unknown, so {wants[0].firmware} was tried. `birdcage detect` shows the answer at "
                     "each speed. Name the firmware with --firmware."
                 )
             raise
         except BaseException as crash:
             if moves:
-                dish.call_stop("a fault of birdcage")
+                for dish in dishes:
+                    dish.call_stop("a fault of birdcage")
             traceback.print_exception(crash)
-            leave_dish(dish, begun, crash, wanted)
+            _leave_all(dishes, begun, crash, wants)
             for line in crash.__notes__:
                 say(line)
             raise click.exceptions.Exit(exits.CRASH) from crash
         else:
-            dish.close()
+            for dish in dishes:
+                dish.close()
 
 
 def _program() -> str:
@@ -185,22 +199,37 @@ def _program() -> str:
 
 def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted: Wanted) -> None:
     """Stop what moves, and close. What is to be said after the error itself goes into its notes."""
+    _leave_all((dish,), (begun,), error, (wanted,))
+
+
+def _leave_all(
+    dishes: Sequence[StationCommand], begun: Sequence[float], error: BaseException, wants: Sequence[Wanted]
+) -> None:
+    """STOP whatever moves, all of it before the first is waited for; then close each."""
     error.__notes__ = []
-    if dish.moves and dish.in_motion and not dish.stop_called and dish.stopped_since(begun) is None:
-        dish.call_stop("birdcage", leaving=True)
+    for dish, since in zip(dishes, begun, strict=True):
+        if dish.moves and dish.in_motion and not dish.stop_called and dish.stopped_since(since) is None:
+            dish.call_stop("birdcage", leaving=True)
+    for dish, since, wanted in zip(dishes, begun, wants, strict=True):
+        for note in _left(dish, since, error, wanted):
+            error.add_note(note if len(dishes) == 1 else f"{dish.state.port or wanted.port}: {note}")
+
+
+def _left(dish: StationCommand, begun: float, error: BaseException, wanted: Wanted) -> Iterator[str]:
+    """Wait for what came of STOP, close, and yield what is to be said of it."""
     stopped = dish.stop_called or dish.stopped_since(begun) is not None
     if stopped:
         report = dish.settle(begun, leaving=True) or dish.stopped_since(begun)
         if report is not None:
-            error.add_note(report.sentence)
+            yield report.sentence
             if report.confirmed is None and report.means != "nothing moved":
-                error.add_note(f"STOP is not confirmed after {CONFIRM_S:.0f} s. Look at the dish, or cut its power.")
+                yield f"STOP is not confirmed after {CONFIRM_S:.0f} s. Look at the dish, or cut its power."
     farewell = dish.close()
     held = find_held(wanted.paths, dish.state.port or wanted.port)
     if held is not None and held.note.sentence not in str(error):
-        error.add_note(f"{held.note.sentence} `birdcage release` lets it move again.")
+        yield f"{held.note.sentence} `birdcage release` lets it move again."
     if stopped or isinstance(error, EndedBySignal):
-        error.add_note(farewell)
+        yield farewell
 
 
 def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
@@ -238,13 +267,25 @@ def _session(wanted: Wanted, clock: Clock, *, survey: bool) -> Session:
     return session
 
 
-def take_signals(stack: ExitStack, dish: StationCommand) -> SignalListener | None:
-    """Hear signals for a command, until the stack is left; None off the main thread, which alone can."""
+def take_signals(stack: ExitStack, *dishes: StationCommand) -> SignalListener | None:
+    """Hear signals for a command, until the stack is left; None off the main thread, which alone can.
+
+    STOP goes to all of its dishes at once.
+    """
     if threading.current_thread() is not threading.main_thread():
         return None  # only the main thread can; a program that runs commands elsewhere keeps its own handlers
     signals = SignalListener()
     stack.callback(signals.close)
-    # Without a word: it is a terminal that takes none which keeps the main thread.
-    signals.tell(dish.on_signal, dish.let_go)
+    every = EveryDish(len(dishes))
+    stack.callback(every.close)
+
+    def hear(number: int) -> None:
+        every.do([partial(dish.on_signal, number) for dish in dishes])
+
+    def last() -> None:
+        # Without a word: it is a terminal that takes none which keeps the main thread.
+        every.do([dish.let_go for dish in dishes])
+
+    signals.tell(hear, last)
     signals.start()
     return signals

@@ -56,12 +56,14 @@ class Wanted:
     paths: Paths
     flags: Mapping[str, object] = field(default_factory=dict)
     """What lies over the file in `settings`, by dotted key."""
+    environ: Mapping[str, str] | None = None
+    """The variables that lie over it; None: those of this process."""
 
     def load(self) -> Settings:
         """Read the settings again, with the same flags over them. Any thread."""
         from birdcage.base.config import load
 
-        return load(self.paths.config_file, flags=self.flags)
+        return load(self.paths.config_file, environ=self.environ, flags=self.flags)
 
     @property
     def model(self) -> Facts | None:

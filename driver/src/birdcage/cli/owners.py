@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.station.control_client import Owner
     from birdcage.station.control_messages import ControlRequest
+
+_T = TypeVar("_T")
 
 
 def owners_of(dish: Wanted) -> list[Owner]:
@@ -44,17 +47,31 @@ def ask_owner(dish: Wanted, request: ControlRequest, by: str) -> tuple[str, Any]
 def ring_owners(dish: Wanted, request: ControlRequest, by: str) -> list[dict[str, Any]]:
     """Have the owner of the port do it, or every owner when no port is named anywhere; empty if there is none.
 
-    NoReply where one lives and does not answer.
+    All of them at once: none waits for another's dish. NoReply where one lives and does not answer.
     """
     from birdcage.base.errors import NoReply
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
 
-    told = []
-    for owner in owners_of(dish):
+    def ring(owner: Owner) -> dict[str, Any] | None:
         try:
-            told.append(call_owner(owner, request, by) | {"port": owner.port, "pid": owner.pid})
+            told: dict[str, Any] = call_owner(owner, request, by)
         except OwnerGone:
-            continue
+            return None
         except NoAnswer as error:
             raise NoReply(f"{error}: cut the power of the dish.") from error
-    return told
+        return told | {"port": owner.port, "pid": owner.pid}
+
+    return [told for told in ring_all(owners_of(dish), ring) if told is not None]
+
+
+def ring_all(owners: Sequence[Owner], ring: Callable[[Owner], _T]) -> list[_T]:
+    """Ring all owners at the same time; return what each told, in their order, or raise what the first one did.
+
+    A program that does not answer, or a dish that takes its time, keeps STOP from no other dish.
+    """
+    if len(owners) < 2:
+        return [ring(owner) for owner in owners]
+    from concurrent.futures import ThreadPoolExecutor
+
+    with ThreadPoolExecutor(len(owners)) as pool:
+        return list(pool.map(ring, owners))

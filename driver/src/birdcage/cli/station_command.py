@@ -140,22 +140,27 @@ class StationCommand(ABC):
         if self.number is not None:
             raise EndedBySignal(self.number)
 
-    def look(self, hear: Hear | None = None) -> None:
-        """Wait a moment for something to happen. Raises Ended after a signal, and what ended the station's thread."""
-        self._next(hear)
+    def look(self, hear: Hear | None = None, wait_s: float = SLICE_S) -> bool:
+        """Wait a moment for something to happen; return whether it did.
+
+        Raises Ended after a signal, and what ended the station's thread.
+        """
+        happened = self._next(hear, wait_s)
         if self.number is not None:
             raise EndedBySignal(self.number)
         if self.crash is not None:
             raise self.crash
+        return happened
 
-    def _next(self, hear: Hear | None = None) -> None:
+    def _next(self, hear: Hear | None = None, wait_s: float = SLICE_S) -> bool:
         try:
-            event = self._events.get(timeout=SLICE_S)
+            event = self._events.get(timeout=wait_s)
         except queue.Empty:
-            return
+            return False
         self._take(event)
         if event is not None and hear is not None:
             hear(event)
+        return True
 
     def _take(self, event: Event | None) -> None:
         if isinstance(event, StopConfirmed):

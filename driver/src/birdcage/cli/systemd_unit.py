@@ -60,9 +60,10 @@ KEPT = ("BIRDCAGE_HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_STATE_HOME", "
 """Variables that say where files are: a station under systemd must find the ones that are found here."""
 
 
-def station_unit(wanted: Wanted, *, skip_init: bool) -> str:
-    """Return the unit: the same port, firmware, speed and settings as are wanted now."""
-    return _service(STATION, ["station", "run"], wanted, ["--skip-init"] if skip_init else [])
+def station_unit(wanted: Wanted, *, skip_init: bool, also: str | None = None) -> str:
+    """Return the unit: the same port, firmware, speed and settings as are wanted now; `also` is the second dish's."""
+    second = [] if also is None else ["--also", str(Path(also).resolve())]
+    return _service(STATION, ["station", "run"], wanted, [*(["--skip-init"] if skip_init else []), *second])
 
 
 def server_unit(wanted: Wanted, options: Sequence[str]) -> str:

@@ -27,7 +27,7 @@ class DeskSetup:
     settings: Callable[[], Settings]
     """Returns those that count now; asked once at the start. `PursuitDesk.apply` brings others later."""
     paths: Paths
-    """In its state folder is written what is being followed."""
+    """In its own folder (`Paths.own`) is written what is being followed."""
     observer: Observer | None = None
     """None while no place is set."""
     demo: bool = False

@@ -59,7 +59,7 @@ class DeskWork:
         self._station, self._clock, self._setup, self._post = station, clock, setup, post
         self._follower = Follower(station, setup.holder, post)
         self._plans = PlanKeeper(station, clock, setup, self._follower, post, self.look_again, threads=threads)
-        self._unfinished = ResumeStore(None if setup.demo else ResumeFile(setup.paths.state), takes_up=setup.takes_up)
+        self._unfinished = ResumeStore(None if setup.demo else ResumeFile(setup.paths.own), takes_up=setup.takes_up)
         self._auto = Autotrack(Timetable(setup.paths.downlinks_file))
         self._stopped = StoppedPursuit()
         self._by_autotrack = False

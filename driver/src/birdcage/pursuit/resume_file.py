@@ -45,7 +45,7 @@ class KeptPursuit:
 
 
 class ResumeFile:
-    """`pursuit.json` in the state folder. OSError never leaves it: a full disk shall not end a pursuit."""
+    """`pursuit.json` in the dish's own folder. OSError never leaves it: a full disk shall not end a pursuit."""
 
     def __init__(self, folder: Path) -> None:
         self._path = folder / FILE

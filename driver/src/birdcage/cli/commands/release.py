@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import click
@@ -24,7 +25,7 @@ def command(context: click.Context) -> None:
     from birdcage.cli.say import tell, tell_json
     from birdcage.station.requests import Release
 
-    dish, by = wanted(), f"{user_name()} (birdcage release)"
+    dish, by = _by_name(wanted()), f"{user_name()} (birdcage release)"
     told = ring_owners(dish, Release(by), by) or [_release(dish)]
     for each in told:
         if flags().json:
@@ -40,18 +41,25 @@ def command(context: click.Context) -> None:
         context.exit(exits.NOT_DONE)
 
 
+def _by_name(dish: Wanted) -> Wanted:
+    """Return the one dish that is meant: without a port, the one that is held. ConfigError where several are."""
+    from birdcage.base.errors import ConfigError
+    from birdcage.station.holding import list_held
+
+    if dish.port_given:
+        return dish
+    held = list_held(dish.paths)
+    if len(held) > 1:
+        ports = ", ".join(each.note.port or str(each.file.path) for each in held)
+        raise ConfigError(f"{len(held)} dishes are held: {ports}. Name one with --port.")
+    return replace(dish, port=held[0].note.port, port_given=True) if held and held[0].note.port else dish
+
+
 def _release(dish: Wanted) -> dict[str, Any]:
     """Release a dish that no program of ours drives now."""
-    from birdcage.base.errors import ConfigError
-    from birdcage.station.holding import find_held, list_held
+    from birdcage.station.holding import find_held
 
     held = find_held(dish.paths, dish.port)
-    if held is None and not dish.port_given:
-        others = list_held(dish.paths)
-        if len(others) > 1:
-            ports = ", ".join(other.note.port or str(other.file.path) for other in others)
-            raise ConfigError(f"{len(others)} dishes are held: {ports}. Name one with --port.")
-        held = others[0] if others else None
     if held is None:
         return {"port": dish.port, "held": False, "was": None, "next_holder": None, "trouble": None}
     held.release()

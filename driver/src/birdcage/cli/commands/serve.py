@@ -229,7 +229,7 @@ def _serve(dish: StationCommand, wants: Wanted, listener: socket.socket, recorde
             stack.enter_context(serve_desk(dish, wants))
         service.start()
         stack.callback(service.shutdown)
-        run_station(dish, as_json=as_json, each_time=check)
+        run_station((dish,), as_json=as_json, each_time=check)
 
 
 def _tell(news: ClientNews, as_json: StationCommand | None) -> None:

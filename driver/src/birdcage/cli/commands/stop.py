@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import signal
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -12,6 +13,9 @@ from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from birdcage.base.paths import Paths
     from birdcage.detection.detecting import Detection
     from birdcage.station.control_client import Owner
 
@@ -28,60 +32,89 @@ TIMES_ASKED = 2
 def command(context: click.Context) -> None:
     """Stop the dish, and report what happened.
 
-    If another birdcage program has the port, that one stops the dish. Without a port, every birdcage program that has
-    one stops its dish. If none has, the port is opened, and whatever dish answers there is stopped: no
-    firmware needs to be named. The dish is then HELD: no birdcage program moves it until you release it, there or with
+    Without --port, every birdcage program that has a port stops its dish, all at once. If no program has yours, the
+    port is opened, and whatever dish answers there is stopped: no firmware needs to be named. With --port, that one
+    dish is stopped. A dish that was stopped is HELD: no birdcage program moves it until you release it, there or with
     `birdcage release`.
     """
-    from birdcage.base.errors import BirdcageError, LinkError
-
     dish = wanted()
-    done = _ring(dish)
-    if not done:
-        try:
-            stop = _stop_ourselves(dish)
-            done = [stop | {"held": _is_held(dish, stop["port"])}]
-        except BirdcageError as error:
-            # One may have taken the port, or given it back, since we looked.
-            done = _ring(dish) if isinstance(error, LinkError) else []
-            if not done:
-                if _is_held(dish, dish.port):
-                    error.add_note("The dish is HELD all the same: `birdcage release` lets programs move it again.")
-                raise
+    done = _ring(_every_one(dish))
     _tell(done)
+    if not done or (dish.port_given and not _has_owner(dish)):
+        alone = _stop_alone(dish)
+        _tell(alone)
+        done += alone
     if not all(stop["confirmed"] for stop in done):
         context.exit(exits.NOT_DONE)
 
 
-def _is_held(dish: Wanted, port: str) -> bool:
+def _every_one(dish: Wanted) -> list[Owner]:
+    """Return the programs that are to stop their dishes: all there are, unless --port names one of them."""
+    from birdcage.cli.owners import owners_of
+
+    return owners_of(dish if dish.flags.get("dish.port") is not None else replace(dish, port_given=False))
+
+
+def _has_owner(dish: Wanted) -> bool:
+    from birdcage.cli.owners import owners_of
+
+    return bool(owners_of(dish))
+
+
+def _stop_alone(dish: Wanted) -> list[dict[str, Any]]:
+    """Stop a dish that no program of ours drives."""
+    from birdcage.base.errors import BirdcageError, LinkError
+
+    try:
+        stop = _stop_ourselves(dish)
+        return [stop | {"held": _is_held(dish.paths, stop["port"])}]
+    except BirdcageError as error:
+        # One may have taken the port, or given it back, since we looked.
+        done = _ring(_every_one(dish)) if isinstance(error, LinkError) and _has_owner(dish) else []
+        if not done:
+            if _is_held(dish.paths, dish.port):
+                error.add_note("The dish is HELD all the same: `birdcage release` lets programs move it again.")
+            raise
+        return done
+
+
+def _is_held(paths: Paths, port: str) -> bool:
     """See to it that no later program moves the dish, whether STOP got through or not; return whether that is so."""
     from birdcage.base.clock import RealClock
     from birdcage.base.errors import BirdcageError
     from birdcage.station.holding import find_held, hold
 
     try:
-        if find_held(dish.paths, port) is None:
-            hold(dish.paths, port, BY, RealClock().utc())
+        if find_held(paths, port) is None:
+            hold(paths, port, BY, RealClock().utc())
     except BirdcageError:
         return False  # a simulator inside this program, a port that is not there, a disk that takes nothing
     return True
 
 
-def _ring(dish: Wanted) -> list[dict[str, Any]]:
-    """Have the owners of the port stop, and return what each did; empty if there is none."""
-    from birdcage.cli.owners import owners_of
+def _ring(owners: Sequence[Owner]) -> list[dict[str, Any]]:
+    """Have these programs stop their dishes, all at once, and return what each did; empty if none lives."""
+    from birdcage.cli.exits import EndedBySignal
+    from birdcage.cli.options import find_paths
+    from birdcage.cli.owners import ring_all
 
-    done = []
-    for owner in owners_of(dish):
-        stop = _ring_one(owner)
-        if stop is not None:
-            done.append(stop | {"port": owner.port, "pid": owner.pid, "held": _is_held(dish, owner.port)})
-    return done
+    try:
+        done = ring_all(owners, _ring_one)
+    except KeyboardInterrupt:
+        ended = EndedBySignal(signal.SIGINT)
+        for owner in owners:
+            ended.add_note(f"Process {owner.pid} was told to stop the dish. The result is unknown: look at the dish.")
+        raise ended from None
+    paths = find_paths()
+    return [
+        stop | {"port": owner.port, "pid": owner.pid, "held": _is_held(paths, owner.port)}
+        for owner, stop in zip(owners, done, strict=True)
+        if stop is not None
+    ]
 
 
 def _ring_one(owner: Owner) -> dict[str, Any] | None:
     from birdcage.base.errors import CommandRefused
-    from birdcage.cli.exits import EndedBySignal
     from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
     from birdcage.station.requests import Stop
 
@@ -94,10 +127,6 @@ def _ring_one(owner: Owner) -> dict[str, Any] | None:
         sentence = f"{error} If the dish moves, stop it there, or cut its power."
     except OwnerGone:
         return None
-    except KeyboardInterrupt:
-        ended = EndedBySignal(signal.SIGINT)
-        ended.add_note(f"Process {owner.pid} was told to stop the dish. The result is unknown: look at the dish.")
-        raise ended from None
     return {"by": BY, "means": "none", "confirmed": False, "sentence": sentence}
 
 
