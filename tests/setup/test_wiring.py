@@ -53,7 +53,7 @@ def test_the_pro_has_usb_and_no_pairs():
 
 
 def test_an_unknown_plug_names_those_there_are():
-    with pytest.raises(KeyError, match="carryout, g2, travler, pro"):
+    with pytest.raises(KeyError, match="carryout, easycomm, g2, travler, pro"):
         connector("tailgater")
 
 

@@ -22,6 +22,8 @@ from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.sim.rig_server import RigServer
 from birdcage.sim.server import Server
 
+USB_BAUD = 115200
+"""What the pty of a dish with a USB port begins with; it takes any rate."""
 ENDING_SIGNALS = ("SIGINT", "SIGTERM", "SIGHUP")
 
 
@@ -74,7 +76,7 @@ def run_simulator(
         if stop is None:
             stop = _stopped_by_signals(stack)
         receiver = _receiver(device, clock, rig, beacons, seed)
-        server = Server(device, _channel(link, device.firmware.baud, tcp=tcp), f"sim:{firmware}", receiver)
+        server = Server(device, _channel(link, device.firmware.baud or USB_BAUD, tcp=tcp), f"sim:{firmware}", receiver)
         stack.callback(server.close)
         _announce(server, firmware, link, json=json, out=out or sys.stdout)
         server.serve(stop)

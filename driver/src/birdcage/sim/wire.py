@@ -92,7 +92,10 @@ class WireDirection:
 
 
 class SimWire:
-    """Both directions. Only data: the device reads it whenever a byte is sent."""
+    """Both directions. Only data: the device reads it whenever a byte is sent.
+
+    A `dish_baud` of 0 is that of a USB port, which takes any rate.
+    """
 
     def __init__(self, settings: SimSettings, dish_baud: int) -> None:
         self._dish_baud = dish_baud
@@ -112,7 +115,7 @@ class SimWire:
 
     def carry(self, lane: WireDirection, now: float, data: bytes) -> list[tuple[float, bytes]]:
         """Return what arrives of `data`, sent at `now`, and when; nothing sensible at a wrong rate."""
-        if self.baud not in (None, self._dish_baud):
+        if self._dish_baud and self.baud not in (None, self._dish_baud):
             if self._wrong_baud == "silent":
                 return []
             data = bytes(self._noise.randrange(256) for _ in data)

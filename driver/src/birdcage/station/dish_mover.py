@@ -7,7 +7,7 @@ from collections.abc import Callable
 from birdcage.base.errors import CommandRefused, PositionUnknown, Superseded
 from birdcage.base.geometry import shortest_turn
 from birdcage.station.events import End
-from birdcage.station.mover import ARRIVED_DEG, POLL_S, Job
+from birdcage.station.mover import POLL_S, Job
 from birdcage.station.queued_mover import QueuedMover
 from birdcage.station.state import Activity
 
@@ -80,11 +80,11 @@ class DishMover(QueuedMover):
         dish_az, dish_el = self._antenna.alignment.to_dish(job.az_deg, job.el_deg)
         off_az = abs(shortest_turn(dish_az, pointing.dish_az_deg))
         off_el = abs(pointing.dish_el_deg - dish_el)
-        is_there = max(off_az, off_el) <= ARRIVED_DEG
+        is_there = max(off_az, off_el) <= self._arrived_deg
         if must_rest and job.looks == 1 and not job.heard_first:
             self._late_s = self._late_s - SOONER_S if is_there else self._late_s + LATER_S
             self._late_s = min(max(self._late_s, 0.0), LATEST_S)
-        if is_there and (must_rest or job.still_since is not None):
+        if is_there and (must_rest or self._is_seen_still(job)):
             self._arrive(job, pointing)
             if job.brisk and self._job is None:
                 self._antenna.moving.see_at_rest(pointing.at)

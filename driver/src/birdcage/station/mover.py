@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import AGAINST_DEG_S
+from birdcage.antenna.strategy.retarget import CREEPS_DEG_S, PRINTED_DEG
 from birdcage.antenna.strategy.strategy import StopPower
 from birdcage.base.errors import BirdcageError, MotionRefused, NoReply, NotTaken, Stopped
 from birdcage.base.geometry import separation, shortest_turn
@@ -173,6 +174,18 @@ class Mover(ABC):
         job.last = pointing
         job.still_since = (job.still_since or now) if still else None
         return pointing
+
+    @property
+    def _arrived_deg(self) -> float:
+        """How near its target a dish has arrived: what it prints may be half its last digit off."""
+        printed_deg = self._antenna.rotator.printed_deg
+        return ARRIVED_DEG if printed_deg <= PRINTED_DEG else ARRIVED_DEG + printed_deg / 2.0
+
+    def _is_seen_still(self, job: Job) -> bool:
+        """Return whether it stands: readings agree, for as long as one that creeps shows the same digits."""
+        printed_deg, since = self._antenna.rotator.printed_deg, job.still_since
+        creeps_s = printed_deg / CREEPS_DEG_S if printed_deg > PRINTED_DEG else 0.0
+        return since is not None and self._store.clock.monotonic() >= since + creeps_s
 
     def _ends_untaken(self, job: Job, pointing: Pointing) -> bool:
         """End a motion that the dish has not taken: what it answered is not known, and it has stood still since."""

@@ -1,0 +1,100 @@
+"""The rotators as data (`docs/reference/easycomm.md`): of the class, the widest; of each firmware, its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from birdcage.easycomm.features import FEATURES, RP2040_IDS, STOCK_IDS
+from birdcage.easycomm.wire import AZIMUTH, ELEVATION
+from birdcage.rotator.axis import Axis, CableRange, Role, TurnBy
+from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove
+from birdcage.rotator.ladder import POWER_SWITCH, MoveKind, Rung, StopMeans
+from birdcage.rotator.origin import by_origin
+from birdcage.rotator.wiring import Connector, Drawing
+
+BAUD = 19200
+"""Of the stock controller. A USB port takes any."""
+RP2040_BOOT_S, STOCK_BOOT_S = 20.0, 100.0
+STOP_S = 6.0
+"""A stepper at full speed takes 2 s to brake, and 3 s to come back."""
+STOCK_HOMING_S = 80.0
+"""A whole turn at its speed, and 12 s that it waits then."""
+
+CONTROLLER = Connector(
+    "easycomm",
+    "SatNOGS rotator",
+    "USB, at the board of the controller",
+    Drawing.USB,
+    "USB CDC (/dev/ttyACM0); the baud rate does not count. By RS-485, the stock firmware speaks 19200 baud 8N1",
+    (),
+    "The README of the SatNOGS-Basestation project, and the sources of the stock firmware.",
+    (
+        "Point it north and level before it gets power: azimuth 0 is where it points then (RP2040).",
+        "No adapter, no pairs to swap.",
+        "The motors have a supply of their own: USB alone answers, and turns nothing.",
+    ),
+)
+FACTS = Facts(
+    name="SatNOGS rotator",
+    firmware="easycomm",
+    baud=BAUD,
+    axes=(
+        Axis(AZIMUTH, Role.AZ, 0.0, 360.0, 12.6, 6.0, 0.05, overshoot_deg=0.5, turn_by=TurnBy.HOST),
+        Axis(ELEVATION, Role.EL, 0.0, 90.0, 24.4, 10.0, 0.05, overshoot_deg=0.5),
+    ),
+    cable=CableRange(-360.0, 360.0),
+    turn=CableTurn.REPORTED,
+    second_same=SecondMove.RETARGET,
+    second_other=SecondMove.RETARGET,
+    stop_ladder=(
+        Rung(
+            means=StopMeans.COMMAND,
+            ends=frozenset({MoveKind.SINGLE}),
+            proven=True,
+            sentence="its own STOP aims both axes where they stand; a stepper at full speed passes that by up to 13° "
+            "and comes back",
+            lasts_s=STOP_S,
+        ),
+        POWER_SWITCH,
+    ),
+    slew=None,
+    search_switch=SearchSwitch.NEVER_SEARCHES,
+    homing_s=None,
+    never_homes=True,
+    boot_s=RP2040_BOOT_S,
+    readback=Readback.ALWAYS,
+    sends_together=True,
+    power_switch="supply of the motors",
+    tells_version=True,
+    features={each: feature for each, feature in FEATURES.features.items() if each in RP2040_IDS},
+    rotctld_name="SatNOGS rotator",
+    connectors=(CONTROLLER,),
+    handling=Handling(
+        clearance="It turns up to two turns: leave the cable of the antenna slack for both.",
+        north="It has no mark: azimuth 0 is where it points when it gets power. Point it north first.",
+    ),
+    origin=by_origin(
+        documented="""
+            name firmware baud azimuth.min_deg azimuth.max_deg elevation.min_deg elevation.max_deg azimuth.step_deg
+            elevation.step_deg azimuth.speed_deg_s elevation.speed_deg_s turn second_same second_other stop_ladder
+            search_switch never_homes readback cable.min_deg cable.max_deg tells_version boot_s
+        """,
+        inferred="""
+            azimuth.acceleration_deg_s2 elevation.acceleration_deg_s2 azimuth.overshoot_deg elevation.overshoot_deg
+            power_switch has_motor_power has_stow has_own_settings cable_known moves_one_axis sends_together
+        """,
+    ),
+)
+"""The RP2040 base station: 16 RPM by 40:15 and 55:40 at a duty of 35 %, and a dead-band of 0.05°."""
+STOCK_FACTS = replace(
+    FACTS.with_axes(
+        replace(FACTS.azimuth, speed_deg_s=13.33, acceleration_deg_s2=6.0, step_deg=0.01, overshoot_deg=0.0),
+        replace(FACTS.elevation, speed_deg_s=13.33, acceleration_deg_s2=6.0, step_deg=0.01, overshoot_deg=0.0),
+    ),
+    cable=CableRange(0.0, 360.0),
+    homing_s=STOCK_HOMING_S,
+    never_homes=False,
+    boot_s=STOCK_BOOT_S,
+    features={each: feature for each, feature in FEATURES.features.items() if each in STOCK_IDS},
+)
+"""The stock controller with steppers: 3200 and 1600 of 86400 steps, and switches at 0."""

@@ -1,0 +1,40 @@
+"""Which firmware answers, by its `VE`, and what is safe to send to it (`docs/reference/easycomm.md`, *Firmwares*)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from birdcage.easycomm.facts import FACTS, STOCK_FACTS
+from birdcage.easycomm.wire import SAFE_QUERY, SAFE_STOP
+from birdcage.rotator.facts import Facts
+
+
+@dataclass(frozen=True, slots=True)
+class EasycommKind:
+    """One of them."""
+
+    facts: Facts
+    query: str = SAFE_QUERY
+    """What asks for the position, and moves nothing."""
+    stop: str = SAFE_STOP
+    names_both: bool = True
+    """Whether a set has to name both axes: the stock firmware reads past the end of a line that names one."""
+    decimals: int = 1
+    """How many of an angle it is known to read."""
+    homes: bool = False
+    """Whether `RESET` finds a switch; else it is never sent."""
+    stop_snaps: bool = False
+    """Whether the targets in force after STOP are where the axes then stand."""
+
+
+RP2040 = EasycommKind(FACTS, "AZ", "STOP", names_both=False, decimals=2, stop_snaps=True)
+STOCK = EasycommKind(STOCK_FACTS, decimals=2, homes=True)
+OTHER = EasycommKind(replace(STOCK_FACTS, features={}, homing_s=None, never_homes=True))
+"""Any other: it is asked and told only what all of them understand."""
+
+
+def kind_of(version: str) -> EasycommKind:
+    """Return which firmware tells this version."""
+    if version.startswith("SatNOGS-RP2040"):
+        return RP2040
+    return STOCK if version.startswith("SatNOGS-v") else OTHER

@@ -1,0 +1,257 @@
+"""A rotator that speaks EasyComm II or III: asked for both angles, told both, stopped by its own command."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from birdcage.base.clock import Clock
+from birdcage.base.errors import CommandRefused, LinkError, NoReply, PositionUnknown
+from birdcage.base.reason import Reason
+from birdcage.console.line_session import LineSession
+from birdcage.console.line_splitter import HeardLine
+from birdcage.easycomm.commands import DOCUMENTED, HAZARDS
+from birdcage.easycomm.facts import FACTS
+from birdcage.easycomm.features import FEATURES
+from birdcage.easycomm.kinds import OTHER, EasycommKind, kind_of
+from birdcage.easycomm.typed_lines import EasycommRaw
+from birdcage.easycomm.wire import (
+    AXIS_WORDS,
+    AZIMUTH,
+    BOOT_MARKS,
+    ELEVATION,
+    ELEVATION_ALONE,
+    MONITORED,
+    POSITION,
+    RECALIBRATED,
+    SAFE_QUERY,
+    VERSION,
+    WIRE,
+    set_line,
+)  # fmt: skip
+from birdcage.link.opening import open_link
+from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.hooks import Hooks
+from birdcage.rotator.ladder import StopBy, StopOrder
+from birdcage.rotator.plain import PlainLine, PlainRotator
+from birdcage.rotator.raw import RawLines
+from birdcage.rotator.readings import UnreadablePosition
+from birdcage.rotator.values import Look, Taken
+
+VERSION_S = 1.0
+"""How long a firmware may take to tell its version; one that does not know the question is silent."""
+SENSIBLE_DEG = {AZIMUTH: 1000.0, ELEVATION: 400.0}
+"""An angle beyond is a damaged line."""
+
+
+class EasycommRotator(PlainRotator):
+    """`docs/reference/easycomm.md` has each fact.
+
+    A set is not answered. So it is followed by a question: what answers that has read the set before.
+    """
+
+    facts: Facts = FACTS
+    feature_table: FeatureTable = FEATURES
+    printed_deg = 0.1
+
+    def __init__(self) -> None:
+        self.line: PlainLine = PlainLine()
+        self.kind: EasycommKind = OTHER
+        self.raw: RawLines | None = EasycommRaw(lambda: self.session, HAZARDS, DOCUMENTED, BOOT_MARKS, self._forget)
+        self._hooks = Hooks()
+        self._session: LineSession | None = None
+        self._due = 0
+        """Answers to what `stop_now` wrote that are still to come."""
+        self._stopped = False
+        """Whether STOP was written since the last set."""
+        self._elevation: HeardLine | None = None
+        self._query = SAFE_QUERY
+        self._in_force: dict[str, float | None] = {}
+        """What the firmware's target of an axis is known to be; None: where it stands since STOP."""
+        self._lost = ""
+        """Why it does not know where it points; empty if it does."""
+
+    @property
+    def is_open(self) -> bool:
+        """See `Rotator`."""
+        return self._session is not None
+
+    @property
+    def session(self) -> LineSession:
+        """The open session; LinkError without one."""
+        if self._session is None:
+            raise LinkError("The rotator is not open.", reason=Reason.LOST)
+        return self._session
+
+    @property
+    def clock(self) -> Clock:  # type: ignore[override]
+        """See `Rotator`."""
+        return self.session.clock
+
+    def open(self, address: str, baud: int | None, clock: Clock, hooks: Hooks) -> None:
+        """See `Rotator`."""
+        dial = hooks.dial or (lambda name, rate: open_link(name, baud=rate, clock=clock))
+        link = dial(address, baud or self.facts.baud)
+        self.is_simulated, self._hooks = link.demo, hooks
+        self.line, self._due, self._stopped = PlainLine(hooks.delay_s), 0, False
+        self.kind, self._query = OTHER, SAFE_QUERY
+        self._forget()
+        self._session = LineSession(
+            link, clock, WIRE, delay_s=hooks.delay_s, wake=hooks.wake, on_wake=hooks.on_wake, on_line=self._hear
+        )
+
+    def close(self, within_s: float) -> None:  # noqa: ARG002 - nothing has to be sent
+        """Let go; it goes on to its targets."""
+        session, self._session = self._session, None
+        if session is not None:
+            session.link.close()
+
+    def meet(self) -> None:
+        """Ask which firmware it is, then where it points, in the way that no firmware takes for a move."""
+        try:
+            version = self.ask("VE", VERSION, within_s=VERSION_S)[1]
+        except NoReply as error:
+            if error.reason not in (Reason.SILENT, Reason.BLOCKED):
+                raise
+            version = ""
+        self.kind = kind_of(version)
+        self._query = self.kind.query
+        self._read_position()
+        self.facts = self.kind.facts
+        self._hooks.on_facts(self.facts)
+
+    def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002 - each is answered at once
+        """See `Rotator`."""
+        told = self._read_position()
+        if self._lost:
+            raise PositionUnknown(self._lost, reason=Reason.UNHOMED)
+        return Look(told)
+
+    def _read_position(self) -> dict[str, float]:
+        """Ask once where it is by its own count."""
+        self._hear_out(self.clock.monotonic() + self.line.delay_s)
+        self._elevation = None
+        match = self.ask(self._query, POSITION)
+        if match[2] is None and self._query != SAFE_QUERY:
+            self._query = SAFE_QUERY  # it answers each axis by itself
+            match = self.ask(self._query, POSITION)
+        elevation = match[2] or self._heard_elevation(self.clock.monotonic() + self.line.delay_s)
+        told = {AZIMUTH: float(match[1]), ELEVATION: float(elevation)}
+        for axis, deg in told.items():
+            if abs(deg) > SENSIBLE_DEG[axis]:
+                raise UnreadablePosition(f"The rotator tells {axis} {deg:g}°: the line was damaged.", [match[0]])
+        return told
+
+    def _heard_elevation(self, until: float) -> str:
+        """Return the elevation of a firmware that answers in two lines."""
+        while self._elevation is None:
+            if not self.session.listen(until):
+                raise NoReply("The rotator told its azimuth, and no elevation.", reason=Reason.BLOCKED)
+        match = ELEVATION_ALONE.fullmatch(self._elevation.text)
+        assert match is not None, "`_hear` keeps no other"
+        return match[1]
+
+    def ask(self, line: str, answer: str | re.Pattern[str], *, within_s: float | None = None) -> re.Match[str]:
+        """Send a line that moves nothing, and return how its answer matched. NoReply where none came in time."""
+        sent = self.clock.monotonic()
+        try:
+            told = self.session.ask(line, re.compile(answer), within_s=within_s)
+        except NoReply:
+            self.line.note_silence()
+            raise
+        self.line.note(sent, self.clock.monotonic())
+        return told.match
+
+    def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:  # noqa: ARG002
+        """Send one axis or both; the other one is named, too, where the firmware needs it.
+
+        A number behind AZ or EL ends manual mode on both axes: an axis whose target is not known to be ours is sent
+        where it stands.
+        """
+        angles = dict(to) | self._others(to)
+        self.session.send(set_line(angles, self.kind.decimals), self._hooks.permit)
+        self._in_force |= angles
+        return Taken(sure=True, said=self.ask(self._query, POSITION)[0], took_s=self.line.took_s)
+
+    def _others(self, to: Mapping[str, float]) -> dict[str, float]:
+        """Return the targets that have to be named beside those that change."""
+        if self._stopped:
+            self._stopped = False
+            self._in_force = dict.fromkeys(AXIS_WORDS) if self.kind.stop_snaps else {}
+        others = [axis for axis in AXIS_WORDS if axis not in to]
+        if not others or (not self.kind.names_both and all(axis in self._in_force for axis in others)):
+            return {}
+        known = {axis: deg for axis in others if (deg := self._in_force.get(axis)) is not None}
+        if len(known) < len(others):
+            known = self._read_position() | known
+        return {axis: known[axis] for axis in others}
+
+    def _forget(self) -> None:
+        """Count on no target any more: somebody else may have set another."""
+        self._in_force = {}
+
+    def stop_now(self, order: StopOrder) -> None:
+        """See `Rotator`."""
+        if order.by is StopBy.COMMAND:
+            self._stopped = True
+        self._due += 1
+        self.session.interject([self.kind.stop if order.by is StopBy.COMMAND else SAFE_QUERY])
+
+    def settle(self, within_s: float) -> tuple[None, ...]:
+        """See `Rotator`: every answer tells the position, and none refuses."""
+        due = self._due
+        if not self._hear_out(self.clock.monotonic() + within_s):
+            raise NoReply("The rotator did not answer STOP.", reason=Reason.SILENT)
+        return (None,) * due
+
+    def _hear_out(self, until: float) -> bool:
+        """Hear the answers to STOP, so that none is taken for another's; return whether they came."""
+        while self._due:
+            if not self.session.listen(until):
+                self._due = 0
+                return False
+        return True
+
+    def listen(self, until: float) -> None:
+        """See `Rotator`."""
+        self.session.listen(until)
+
+    def is_answer(self, text: str) -> bool:
+        """Positions come twice from some firmwares, and late ones from all."""
+        return POSITION.fullmatch(text) is not None or ELEVATION_ALONE.fullmatch(text) is not None
+
+    def _hear(self, line: HeardLine) -> None:
+        if self._due and POSITION.fullmatch(line.text) is not None:
+            self._due -= 1
+        elif ELEVATION_ALONE.fullmatch(line.text) is not None:
+            self._elevation = line
+        elif any(mark in line.text for mark in BOOT_MARKS):
+            self._forget()
+            self._lost = (
+                "The rotator has restarted, and counts azimuth from where it pointed then. Point it at something known."
+            )
+            self._hooks.on_restart(line.text)
+        elif MONITORED.fullmatch(line.text) is None:
+            self._hooks.on_line(line.text)
+
+    def recalibrate(self) -> None:
+        """Take the elevation from the accelerometer (`RECAL`). CommandRefused where there is none."""
+        told = self.ask("RECAL", RECALIBRATED)
+        self._forget()
+        if told[1] is None:
+            raise CommandRefused(
+                "No accelerometer is fitted, so the elevation was not changed.", reason=Reason.UNSUPPORTED
+            )
+
+    def zero(self) -> None:
+        """Count both encoders from here (`ZERO`), with the loop off: it would go on to its targets.
+
+        Raises as `ask`.
+        """
+        for name in ("AZ", "EL"):
+            self.ask(f"DUTY_{name}0", rf"{name} duty=.*")
+        self.ask("ZERO", "Encoders zeroed")
+        self._read_position()  # the loop has read the new counts before it answers
+        self.ask(self.kind.stop, POSITION)
+        self._forget()
