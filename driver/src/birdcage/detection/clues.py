@@ -5,7 +5,8 @@ one of them never makes it another. What a rate lets be read is no clue either, 
 its firmware, as other consoles may show the same.
 
 Every dialect that is found by entry point takes part, anybody's, with what its class tells of it: `model`, `dialect`,
-`motor_menu` and `log_marks` (see `FirmwareProtocol`). One that tells no console has to be named by a person.
+`motor_menu` and `log_marks` (see `FirmwareProtocol`). A whole machine does by its `probe` (`LineProbe`). One that tells
+neither has to be named by a person.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from birdcage.detection.machine_probe import answered, marked_lines
 from birdcage.detection.probe import BaudFinding, Saw
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.registry import FIRMWARE_REGISTRY
@@ -44,6 +46,9 @@ def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, .
         own_rate = not rate_counts or finding.baud == protocol.model.baud
         at = f" at {finding.baud} baud" if rate_counts else ""
         found += [Clue(name, words, weight) for words, weight in _clues(finding, protocol, at, own_rate=own_rate)]
+    if finding.saw is Saw.TEXT:
+        found += [Clue(name, words, CERTAIN) for name, words in answered(finding)]
+        found += [Clue(name, f"`{mark}` in what it prints", LIKELY) for name, mark in marked_lines(finding)]
     return tuple(found)
 
 

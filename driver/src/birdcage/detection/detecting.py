@@ -12,9 +12,11 @@ from dataclasses import dataclass
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
 from birdcage.detection.clues import Clue, clues_of, firmwares_of, known_tokens, marked
+from birdcage.detection.machine_probe import ask, questions
 from birdcage.detection.probe import BaudFinding, Saw, overhear, probe
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
+from birdcage.rotator.machines import facts_of
 
 OpenLink = Callable[[str, int], Link]
 
@@ -62,7 +64,8 @@ def detect_firmware(
     Sends one bare Enter at each rate, which takes 0.7 s where nothing answers, and `?` where a prompt does. A dish
     that shows none may be starting: its log is listened to for `log_s` more, at the rate at which any text came or
     else at that of the dish that starts longest. Nothing moves; a combined move of a Trav'ler that is under way ends
-    by the first byte. `tell` hears which rate is tried. A port that does not open is told in `trouble`.
+    by the first byte. Where all of that is silent, whole machines are asked, each by a question that moves nothing
+    (`LineProbe`). `tell` hears which rate is tried. A port that does not open is told in `trouble`.
     """
     opening, timed = open_port or _opening(clock), has_speed(port)
     rates = (baud,) if baud is not None else _rates(first) if timed else _rates(first)[:1]
@@ -95,6 +98,17 @@ def detect_firmware(
                 )
             finally:
                 link.close()
+        if all(each.saw is Saw.SILENCE for each in findings):
+            for (question, own_rate), names in questions().items():
+                rate = baud or own_rate or rates[0]
+                tell(f"Silent so far. Asking for a {' or a '.join(map(_name, names))} …")
+                link = opening(port, rate)
+                try:
+                    findings.append(ask(link, clock, rate, question))
+                finally:
+                    link.close()
+                if findings[-1].saw is not Saw.SILENCE:
+                    break
     except LinkError as error:
         return Detection(port, None, str(error), tuple(findings), trouble=error)
     return _told(port, findings, clues_of(findings[-1], rate_counts=timed), timed=timed)
@@ -111,7 +125,7 @@ def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, ti
     last = findings[-1]
     baud = last.baud if timed and clues else None
     if len(candidates) == 1:
-        name = marked()[candidates[0]].model.name
+        name = _name(candidates[0])
         why = "; ".join(clue.words for clue in clues if clue.firmware == candidates[0])
         sentence = f"{port} is a {name} ({candidates[0]}): {why}."
         return Detection(port, candidates[0], sentence, tuple(findings), clues, candidates, baud)
@@ -123,6 +137,11 @@ def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, ti
         sentence = f"{port} may be any of {', '.join(candidates)}: {seen}. Say which with --firmware."
         return Detection(port, None, sentence, tuple(findings), clues, candidates, baud)
     return Detection(port, None, _untold(port, findings), tuple(findings))
+
+
+def _name(firmware: str) -> str:
+    spoken = marked()
+    return spoken[firmware].model.name if firmware in spoken else facts_of(firmware).name
 
 
 def _untold(port: str, findings: list[BaudFinding]) -> str:

@@ -153,8 +153,14 @@ def overhear(
     while clock.monotonic() < began + listen_s and not told(_readable(heard)):
         if clock.wait(link, began + listen_s, None) is WaitOutcome.READY:
             heard = (heard + link.read())[:KEPT]
-    waited_s = round(clock.monotonic() - began, 3)
-    return BaudFinding(baud, judge(heard, tokens), _sample(heard), len(heard), waited_s, text=_readable(heard))
+    return finding_of(baud, heard, clock.monotonic() - began, tokens)
+
+
+def finding_of(baud: int, heard: bytes, waited_s: float, tokens: Iterable[str] = ()) -> BaudFinding:
+    """Return what was heard in a time, judged; nothing was asked in answer to it."""
+    return BaudFinding(
+        baud, judge(heard, tokens), _sample(heard), len(heard), round(waited_s, 3), text=_readable(heard)
+    )  # fmt: skip
 
 
 def _standing(heard: bytes) -> str:

@@ -23,6 +23,7 @@ from birdcage.easycomm.wire import (
     ELEVATION_ALONE,
     MONITORED,
     POSITION,
+    PROBE,
     RECALIBRATED,
     SAFE_QUERY,
     VERSION,
@@ -53,6 +54,7 @@ class EasycommRotator(PlainRotator):
 
     facts: Facts = FACTS
     feature_table: FeatureTable = FEATURES
+    probe = PROBE
     printed_deg = 0.1
 
     def __init__(self) -> None:
@@ -109,6 +111,7 @@ class EasycommRotator(PlainRotator):
 
     def meet(self) -> None:
         """Ask which firmware it is, then where it points, in the way that no firmware takes for a move."""
+        self.session.send("")  # ends what an earlier program may have left unfinished
         try:
             version = self.ask("VE", VERSION, within_s=VERSION_S)[1]
         except NoReply as error:

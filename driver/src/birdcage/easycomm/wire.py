@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 
 from birdcage.console.line_session import LineDialect
+from birdcage.rotator.line_probe import LineProbe
 
 AZIMUTH, ELEVATION = "azimuth", "elevation"
 AXIS_WORDS = {AZIMUTH: "AZ", ELEVATION: "EL"}
@@ -23,6 +24,8 @@ VERSION = re.compile("VE(.+)")
 RECALIBRATED = re.compile(r"EL recalibrated from IMU: (.*)|IMU not found.*")
 MONITORED = re.compile(r"AZ_T=(-?\d+) EL_T=(-?\d+) .*")
 """A line of the live stream, which comes between answers."""
+PROBE = LineProbe(b"\nVE\n", re.compile(r"VESatNOGS-\S+"), "VE", ("SatNOGS-RP2040", "EL homing: IMU", "AZ_T="))
+"""`VE` moves nothing on either firmware; a console of another machine does not know it."""
 BOOT_MARKS = ("== SatNOGS", "EL homing: IMU", "AZ zeroed (")
 """What the RP2040 prints only when it starts."""
 
