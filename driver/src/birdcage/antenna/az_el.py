@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from birdcage.antenna.gate import MotionGate
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, MotionRefused
-from birdcage.base.geometry import shortest_turn
+from birdcage.base.errors import CommandRefused, MotionRefused, PositionUnknown
+from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.base.reason import Reason
 from birdcage.rotator.axis import TurnBy
 from birdcage.rotator.facts import Facts
@@ -36,18 +37,31 @@ class AzEl:
         self._clock: Clock | None = None
         self.most_missed_deg = MOST_MISSED_DEG
         """By how much a machine with a mapping may miss a direction that it is sent to."""
+        self._told: Facts | None = None
+        """Its facts once a person has told where its zeros point."""
 
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - whatever the machine has
         return getattr(self._rotator, name)
 
     @property
     def facts(self) -> Facts:
-        """See `Rotator`."""
-        return self._rotator.facts
+        """See `Rotator`; once it was told where its zeros point, with that (`Facts.told_zero`)."""
+        return self._told or self._rotator.facts
 
     @facts.setter
     def facts(self, facts: Facts) -> None:
+        """Take what the machine itself tells: where its zeros point stays."""
         self._rotator.facts = facts
+        if self._told is not None:
+            self._told = facts.told_zero(self._told.zero_deg)
+
+    def tell_zero(self, zero_deg: Mapping[str, float] | None) -> None:
+        """Take in where the zeros of the machine point, by the names of its axes; None: not known (any more)."""
+        self._told = None if zero_deg is None else self._rotator.facts.told_zero(zero_deg)
+
+    def counted(self) -> Mapping[str, float]:
+        """Ask once where the machine counts its axes to stand, from its own zeros."""
+        return self._rotator.look().angles
 
     @property
     def is_open(self) -> bool:
@@ -84,7 +98,13 @@ class AzEl:
 
     def survey(self) -> Survey:
         """See `Rotator`."""
-        return self._rotator.survey()
+        told, el_deg = self._rotator.survey(), self.facts.zero_deg.get(self.facts.elevation.name, 0.0)
+        low, high = told.el_min_deg, told.el_max_deg
+        if not el_deg or (low is None and high is None):
+            return told
+        return replace(
+            told, el_min_deg=None if low is None else low + el_deg, el_max_deg=None if high is None else high + el_deg
+        )
 
     @property
     def features(self) -> Mapping[str, Feature]:
@@ -104,8 +124,12 @@ class AzEl:
         return self.position(self._rotator.look(hurry=hurry, busy_s=busy_s))
 
     def position(self, look: Look) -> Position:
-        """Return where the machine is that tells this."""
-        facts, angles = self._rotator.facts, look.angles
+        """Return where the machine is that tells this. PositionUnknown (`unsynced`) until its zeros were told."""
+        facts, angles = self.facts, look.angles
+        if facts.zero_at_power_up:
+            if self._told is None:
+                raise PositionUnknown(f"The position is unknown. {facts.must_be_told}", reason=Reason.UNSYNCED)
+            angles = {name: deg + facts.zero_deg.get(name, 0.0) for name, deg in angles.items()}
         if facts.mapping is not None:
             return Position(*facts.mapping.to_sky(angles))
         skew = None if facts.skew is None else angles.get(facts.skew.name)
@@ -174,13 +198,22 @@ class AzEl:
         return nearest
 
     def _named(self, to: Mapping[int, float]) -> Mapping[str, float]:
-        facts = self._rotator.facts
+        facts = self.facts
         if facts.mapping is not None:
             return facts.mapping.to_axes(to[MOTOR_AZIMUTH], to[MOTOR_ELEVATION])[0]
         named = {facts.numbered[motor].name: deg for motor, deg in to.items()}
         if facts.azimuth.turn_by is TurnBy.HOST and MOTOR_AZIMUTH in to:
             named[facts.azimuth.name] = self._on_cable(to[MOTOR_AZIMUTH])
+        if facts.zero_deg:
+            return {name: self._counted_from(facts, name, deg) for name, deg in named.items()}
         return named
+
+    @staticmethod
+    def _counted_from(facts: Facts, name: str, deg: float) -> float:
+        """Return an angle as the machine counts it. One that takes azimuths of the circle gets one of the circle."""
+        counted_deg = deg - facts.zero_deg.get(name, 0.0)
+        on_circle = name == facts.azimuth.name and facts.azimuth.turn_by is TurnBy.MACHINE
+        return wrap_360(counted_deg) if on_circle else counted_deg
 
     def _on_cable(self, deg: float) -> float:
         cable_deg, last_deg = self._gate.cable_deg, self._gate.last_cable_deg

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from birdcage.antenna.gate import MotionGate
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.values import MOTOR_AZIMUTH
 from birdcage.rotator.verdict import Verdict
 
@@ -17,9 +19,18 @@ def limited(verdict: Verdict, gate: MotionGate) -> Verdict:
     if aim.relative:
         (axis, step_deg), *_ = aim.angles_deg.items()
         return replace(verdict, limit=_relative(axis, step_deg, gate))
-    az_deg = aim.angles_deg.get(MOTOR_AZIMUTH)
-    el_deg = next((deg for axis, deg in aim.angles_deg.items() if axis != MOTOR_AZIMUTH), None)
+    angles_deg = pointed(aim.angles_deg, gate.model)
+    az_deg = angles_deg.get(MOTOR_AZIMUTH)
+    el_deg = next((deg for axis, deg in angles_deg.items() if axis != MOTOR_AZIMUTH), None)
     return replace(verdict, limit=_sentence(gate, az_deg, el_deg))
+
+
+def pointed(angles_deg: Mapping[int, float], model: Facts) -> Mapping[int, float]:
+    """Return where angles point that a raw line names: its machine counts from zeros that a person has told."""
+    if not model.zero_deg:
+        return angles_deg
+    there = {motor: deg + model.zero_deg.get(model.numbered[motor].name, 0.0) for motor, deg in angles_deg.items()}
+    return {motor: deg % 360.0 if motor == MOTOR_AZIMUTH else deg for motor, deg in there.items()}
 
 
 def _relative(axis: int, step_deg: float, gate: MotionGate) -> str:

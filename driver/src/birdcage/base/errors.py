@@ -113,7 +113,7 @@ class BelowFloor(MotionRefused, ValueError):
 
 
 class PositionUnknown(MotionRefused):
-    """The position of the dish is unknown. Reasons: unread, unhomed, unreadable, released."""
+    """The position of the dish is unknown. Reasons: unread, unhomed, unsynced, unreadable, released."""
 
     reason = Reason.UNREAD
 

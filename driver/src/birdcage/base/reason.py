@@ -105,6 +105,8 @@ class Reason(StrEnum):
     """It was not read since something may have changed it."""
     UNHOMED = "unhomed"
     """The machine does not know it: it was not homed."""
+    UNSYNCED = "unsynced"
+    """Its zero is where it was switched on, and it was not told where that points."""
     UNREADABLE = "unreadable"
     """What the machine answers is no position."""
     UNTOLD = "untold"

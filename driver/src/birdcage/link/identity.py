@@ -54,6 +54,18 @@ def dish_identity(port: str, list_ports: PortLister = list_ports) -> str | None:
         return None
 
 
+def made_at(port: str) -> str:
+    """Return what tells one making of a device file by the system from the next: its number, and when; else ``.
+
+    A device on USB gets a new file each time that it is plugged in or gets power.
+    """
+    try:
+        found = Path(port).stat()
+    except OSError:
+        return ""
+    return f"{found.st_ino} {found.st_ctime_ns}"
+
+
 def forget_reused(state: Path, identity: str) -> None:
     """Remove what is remembered of earlier dishes at the same pseudo terminal: they ended with it."""
     if not identity.startswith("pty:"):

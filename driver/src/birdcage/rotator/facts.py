@@ -163,7 +163,14 @@ class Facts:
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself, or never."""
     never_homes: bool = False
-    """Whether it has no homing at all: it knows where it is as soon as it has power, or tells nothing."""
+    """Whether it has no homing at all: it knows where it is as soon as it has power, is told by a person, or tells
+    nothing."""
+    zero_at_power_up: tuple[str, ...] = ()
+    """The axes, by name, whose zero is where they stood when it was switched on: only a person can tell where that
+    points (`birdcage sync`). Its `Rotator.look` tells them as it counts them."""
+    zero_deg: Mapping[str, float] = field(default_factory=dict)
+    """Where those zeros point, in degrees by name, once a person has told; empty before. The range of the cable and
+    of an elevation count with it."""
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
     has_motor_power: bool = False
@@ -237,6 +244,17 @@ class Facts:
         named = {axis.name: axis for axis in others}
         return replace(self, axes=tuple(named.get(axis.name, axis) for axis in self.axes))
 
+    def told_zero(self, zero_deg: Mapping[str, float]) -> Facts:
+        """Return the facts of a machine whose zeros point there: all angles that it counts are raised by as much."""
+        az_deg, el_deg = (zero_deg.get(axis.name, 0.0) for axis in (self.azimuth, self.elevation))
+        cable, tilt = self.cable, self.elevation
+        if cable is not None:
+            cable = CableRange(cable.min_deg + az_deg, cable.max_deg + az_deg)
+        told = replace(self, zero_deg=dict(zero_deg), cable=cable)
+        if not el_deg:
+            return told
+        return told.with_axes(replace(tilt, min_deg=tilt.min_deg + el_deg, max_deg=tilt.max_deg + el_deg))
+
     def origin_of(self, name: str) -> Origin | None:
         """Return who stands for a fact; None if it has no source."""
         return self.origin.get(name)
@@ -286,8 +304,20 @@ class Facts:
         if self.homing_s is not None:
             return ""
         if self.never_homes:
-            return f"The {self.name} has no homing."
+            return f"The {self.name} has no homing. {self.must_be_told}".rstrip()
         return f"The {self.name} homes only at power-up. Switch it off and on."
+
+    @property
+    def must_be_told(self) -> str:
+        """How it comes to know where it points, where only a person can tell; empty where it knows by itself."""
+        if not self.zero_at_power_up:
+            return ""
+        return "It counts from where it was switched on. `birdcage sync AZ EL` tells it where it points."
+
+    @property
+    def no_sync(self) -> str:
+        """Why it is not told where it points; empty if it can be."""
+        return "" if self.zero_at_power_up else f"The {self.name} knows by itself where it points."
 
     @property
     def no_sweep(self) -> str:

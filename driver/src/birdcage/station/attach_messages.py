@@ -170,7 +170,7 @@ def result_shapes() -> Mapping[type, Shape]:
     from birdcage.detection.probe import BaudFinding
 
     kinds: Mapping[type, Any] = {
-        **dict.fromkeys((ask.Goto, ask.Follow, ask.Jog, ask.TurnSkew, ask.Stow), Pointing | None),
+        **dict.fromkeys((ask.Goto, ask.Follow, ask.Jog, ask.TurnSkew, ask.Stow, ask.Sync), Pointing | None),
         ask.BeginTask: int, ask.ResumeTask: int, ask.SetSpeed: float, ask.Read: Mapping[str, Reading],
         ask.Set: Reading, ask.Raw: RawReply, ask.ListCommands: tuple[MenuCommand, ...],
         ask.ProbePort: tuple[BaudFinding, ...], ask.SetSearch: Path | None,

@@ -25,6 +25,7 @@ UNASKED_DEG = 0.3
 UNASKED_POLL_S = 0.2
 RESTING = (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
 """While a dish does one of these, only the monitor looks where it is."""
+THEN_HOME = "Wait until it is quiet, then acknowledge and home it."
 LESS_THAN_A_FAILED_HOMING = (FaultReason.REBOOT, FaultReason.UNHOMED)
 """Faults that say less than that an axis failed to home, which takes their place."""
 
@@ -283,10 +284,11 @@ class DishMonitor:
             self.interrupted(HeldReason.FAULT)
             self._starting.ended()
             if fault is None or not self._failed_to_home:
+                told = self._antenna.rotator.facts.must_be_told
                 self.raise_fault(
                     FaultReason.REBOOT, f"The dish has restarted: {line.strip()!r}",
-                    "It homes by itself or must be homed, and may start its TV search.",
-                    "Check its power and cable. Wait until it is quiet, then acknowledge and home it.",
+                    told or "It homes by itself or must be homed, and may start its TV search.",
+                    f"Check its power and cable. {'Acknowledge, then tell it.' if told else THEN_HOME}",
                 )  # fmt: skip
         self._failed_to_home = False
 

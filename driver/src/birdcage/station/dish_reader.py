@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from datetime import timedelta
 from functools import partial
@@ -39,6 +39,8 @@ class DishReader:
         self._survey = Survey()
         self.rules: Rules = settings
         """The user's own limits, as they are now."""
+        self.recall_zero: Callable[[], bool] = lambda: False
+        """Takes up where the zeros of the machine point, if an earlier program has left that and it still holds."""
         self.elsewhere = False
         """Whether the console may be in another menu than the motors'."""
 
@@ -57,7 +59,7 @@ class DishReader:
 
     def unknown(self, unknown: PositionUnknown) -> None:
         """The dish does not know where it points."""
-        homed = False if unknown.reason == Reason.UNHOMED else None
+        homed = False if unknown.reason in (Reason.UNHOMED, Reason.UNSYNCED) else None
         forgot = homed is False and self._store.state.homed is True
         said = str(unknown) if unknown.reason == Reason.UNREADABLE else ""
         self._store.change(
@@ -94,6 +96,8 @@ class DishReader:
             look = antenna.glance if glance else antenna.get_position
             true = look() if heard is None else antenna.hear(heard)
         except PositionUnknown as unknown:
+            if unknown.reason is Reason.UNSYNCED and self.recall_zero():
+                return self.position(glance=glance)
             self.elsewhere = False
             self.unknown(unknown)
             moves = self._antenna.reckoning.moves_until > self._store.clock.monotonic()
@@ -248,9 +252,19 @@ class DishReader:
 
     def learn(self, facts: Facts) -> None:
         """Take what the machine itself has told that it is; what its owner laid down lies over that, too."""
+        self._antenna.rotator.facts, _wrong = laid_by_owner(facts, self._settings.own_facts)
+        self.take_facts()
+
+    def tell_zero(self, zero_deg: Mapping[str, float] | None) -> None:
+        """From now on the zeros of the machine point there; None: not known."""
+        self._antenna.rotator.tell_zero(zero_deg)
+        self._antenna.gate.forget(Reason.UNSYNCED)
+        self.take_facts()
+
+    def take_facts(self) -> None:
+        """Go by the facts that the machine has now."""
         antenna = self._antenna
-        known, _wrong = laid_by_owner(facts, self._settings.own_facts)
-        antenna.rotator.facts = antenna.gate.model = known
+        antenna.gate.model = antenna.rotator.facts
         antenna.know(antenna.own)
         antenna.doubt()
         self._store.change(dish=antenna.kind, turn=self._turn(), unplanned_stop=antenna.strategy.unplanned)

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.antenna.motion import DishMotion, start_motion
+from birdcage.antenna.raw_limits import pointed
 from birdcage.base.reason import Reason
 from birdcage.rotator.values import MOTOR_AZIMUTH, Position
 from birdcage.rotator.verdict import Grade, Verdict
@@ -61,7 +62,8 @@ class RawEffects:
         if sent is None or verdict.limit or verdict.grade is not Grade.MOVES or self.resurvey:
             return None  # `resurvey`: at which speed it goes is not known any more
         antenna, gate, clock = self._antenna, self._antenna.gate, self._store.clock
-        (axis, angle), under_way = sent, antenna.motion
+        ((axis, angle),) = pointed(dict([sent]), antenna.model).items()
+        under_way = antenna.motion
         start, velocity, now = gate.position, (0.0, 0.0), clock.monotonic()
         if under_way is not None:
             azimuth, elevation = (each.modelled(now, clock.rate) for each in (under_way.azimuth, under_way.elevation))

@@ -20,6 +20,7 @@ from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
 from birdcage.station.raw_console import RawConsole
 from birdcage.station.rewire import Rewire
+from birdcage.station.syncing import Syncing
 from birdcage.station.tasks.drive import DriveTask
 from birdcage.station.tasks.homing import HomingTask
 from birdcage.station.tasks.host import TaskHost
@@ -49,7 +50,7 @@ class RequestHandler:
         """Whose last motion no person had asked for; empty if one had."""
         self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
         self._settings = OwnSettingsHandler(parts, self._features.note_written)
-        self._lost_control = LostControl(parts)
+        self._lost_control, self._syncing = LostControl(parts), Syncing(parts)
 
     def serve(self, request: ask.Request, future: Future[object], stops_seen: int) -> None:
         """Serve one request; its future is resolved now, or at arrival for a motion.
@@ -82,6 +83,11 @@ class RequestHandler:
                 self._host.drop_kept()
             case ask.Home():
                 self._home(request, future)
+                return
+            case ask.Sync():
+                self._make_way(request.holder)
+                future.set_result(self._syncing.sync(request))
+                self._host.by_hand(request.holder)
                 return
             case ask.ReleaseMotors(holder):
                 self._make_way(holder)

@@ -375,6 +375,11 @@ class StationState:
         return self.position_lost is UNTOLD
 
     @property
+    def awaits_sync(self) -> bool:
+        """Whether a person has to tell it where it points (`Sync`) before it is sent anywhere."""
+        return self.homed is False and self.dish is not None and bool(self.dish.must_be_told)
+
+    @property
     def raw_motion(self) -> bool:
         """Whether a raw line may have set the dish in motion, and it was not seen at rest since."""
         return self.raw_activity and self.activity is Activity.UNKNOWN

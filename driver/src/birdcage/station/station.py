@@ -27,8 +27,8 @@ from birdcage.station.dish_monitor import DishMonitor
 from birdcage.station.dish_mover import DishMover
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import Event
-from birdcage.station.facts_memory import FactsMemory
 from birdcage.station.inbox import Inbox, WaitingRequest
+from birdcage.station.memories import Memories
 from birdcage.station.network_state import NetworkState
 from birdcage.station.parts import Parts
 from birdcage.station.pursuit_state import Phase
@@ -49,7 +49,6 @@ from birdcage.station.stop_pending import StopReach
 from birdcage.station.stopper import Stopper
 from birdcage.station.tasks.host import TaskHost
 from birdcage.station.tasks.kept import TaskFile
-from birdcage.station.turn_memory import TurnMemory
 from birdcage.station.unattended import UnattendedGuard
 from birdcage.station.watches import Watches
 
@@ -102,11 +101,9 @@ class Station:
         self._stopper = stopper = Stopper(store, antenna, control, mover, reader)
         self._watches = watches = Watches()
         self._unattended = guard = UnattendedGuard(store, settings.not_now)
-        folder, identify = settings.state_folder, settings.identify
         backup = SettingsBackup(store, antenna, settings.backup_folder)
         parts = Parts(store, antenna, settings, signals, control, reader, mover, stopper, watches, guard, backup)
-        FactsMemory(store, antenna, signals, folder, identify)
-        self._turns = TurnMemory(store, antenna.gate, signals, settings.firmware, folder, identify)
+        self._memories = Memories(store, antenna, reader, signals, settings)
         applying = Applying(parts, wrong_facts)
         applying.use(settings)
         file = TaskFile(settings.state_folder, settings.port, settings.firmware, settings.tasks)
@@ -280,7 +277,7 @@ class Station:
             try:
                 self._connection.close()
             finally:
-                self._turns.close()
+                self._memories.close()
                 self._antenna.adopt(None)
                 self._wake.close()
 

@@ -6,7 +6,7 @@ from birdcage.station.known import SearchSwitch
 from birdcage.station.state import LinkPhase, TvSearch
 
 from birdcage_tui.commands.table import Command
-from birdcage_tui.shown.allowed import CommandContext, can_home, can_release
+from birdcage_tui.shown.allowed import CommandContext, can_home, can_release, can_sync
 
 
 def can_end_search(context: CommandContext) -> str | None:
@@ -79,7 +79,11 @@ MOTION = (
         can_home,
         "home",
     ),
-)
+    Command(
+        "sync", ("Y",), "Y", "Tell it where it points …",
+        "For a rotator whose zero is where it was switched on. Nothing moves.", "Motion", can_sync,
+    ),
+)  # fmt: skip
 
 SEARCH = (
     Command(

@@ -18,7 +18,7 @@ from birdcage_tui.drawing.cell_text import cell_len
 from birdcage_tui.drawing.needle import draw_needle
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.pursuit import aimed_at
-from birdcage_tui.shown.state_words import home_hint, uncertainty_text
+from birdcage_tui.shown.state_words import home_hint, uncertainty_text, unhomed_word
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
 from birdcage_tui.widgets.sky_ground import STOP_SIGN
@@ -240,7 +240,7 @@ def _why_unknown(view: View) -> tuple[str, ...]:
         moves = state.motion is not None or state.activity is Activity.UNKNOWN
         return "NOT TOLD", "on its way" if moves else "send it somewhere first"
     if state.homed is False:
-        return "NOT HOMED", *home_hint(view).split(": ")
+        return unhomed_word(view), *home_hint(view).split(": ")
     if state.position_lost in _LOST:
         return _LOST[state.position_lost], *home_hint(view).split(": ")
     return "UNKNOWN", "not read yet"

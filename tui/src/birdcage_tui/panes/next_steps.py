@@ -64,7 +64,9 @@ def next_steps(view: View) -> list[tuple[str, str]]:
             steps.append(("warn", told))
     elif state.homed is False and state.activity is not Activity.HOMING:
         dish = state.dish
-        if dish is not None and dish.homing_s is None:
+        if state.awaits_sync:
+            steps.append(("text", "Next: look along it. Y tells it where it points. Nothing moves."))
+        elif dish is not None and dish.homing_s is None:
             steps.append(("text", "Next: switch the dish off and on. It homes by itself."))
         else:
             way = "turns through its whole range and runs into its end stops."

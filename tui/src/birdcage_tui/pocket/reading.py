@@ -10,7 +10,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import fit, pad, shorten, wrap
 from birdcage_tui.drawing.digits import angle_text, put_big, width_of
 from birdcage_tui.panes.pointing import cable_gauge, motion_ink
-from birdcage_tui.shown.allowed import can_home, can_release
+from birdcage_tui.shown.allowed import can_home, can_release, can_sync
 from birdcage_tui.shown.pursuit import pursuit_of
 from birdcage_tui.shown.resume_words import resume_words
 from birdcage_tui.shown.state_words import age_text, bad_day, calm, motion_text
@@ -52,6 +52,8 @@ def _mending(view: View) -> str | None:
     """Return the command that the words of what is wrong name; None where they name none."""
     if can_release(view) is None:
         return "release"
+    if view.state.awaits_sync:
+        return "sync" if can_sync(view) is None else None
     if view.state.homed is False:
         return "home" if view.link_up and can_home(view) is None else None
     if searching(view):

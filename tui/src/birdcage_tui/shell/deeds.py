@@ -65,6 +65,7 @@ class Deeds:
             "goto": self.open_goto,
             "skew": partial(self.open_goto, "skew "),
             "home": questions.home,
+            "sync": questions.sync.ask,
             "resume": motions.resume,
             "search": questions.end_search,
             "help": self._show_help,

@@ -11,8 +11,8 @@ from birdcage.base.errors import BirdcageError
 from birdcage.station.requests import AcceptLimits, Home, SetSearch
 from textual.app import App
 
-from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.sync_question import SyncHost, SyncQuestion
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.stop_words import power_switch
 from birdcage_tui.shown.view import YOU
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from birdcage_tui.feeds.sky_add import AddOutcome
 
 
-class QuestionHost(AppHost, Protocol):
+class QuestionHost(SyncHost, Protocol):
     """The app, seen from its questions."""
 
     settings: AppOptions
@@ -40,6 +40,7 @@ class Questions:
 
     def __init__(self, app: App[None], host: QuestionHost) -> None:
         self._app, self._host = app, host
+        self.sync = SyncQuestion(app, host)
 
     def _confirm(self, title: str, words: str, yes: str, deed: Callable[[], None]) -> None:
         self._app.push_screen(QuestionScreen(title, words, yes), lambda agreed: deed() if agreed else None)

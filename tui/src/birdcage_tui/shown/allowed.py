@@ -90,6 +90,8 @@ def can_move(context: CommandContext, *, though_held: bool = False) -> str | Non
     if state.homed is False or state.position is None:
         if state.awaits_first_move:
             return None
+        if state.awaits_sync:
+            return "The dish does not know where it points. Y tells it."
         if state.dish is not None and state.dish.never_homes:
             return "No position has been read yet."
         if state.dish is not None and state.dish.homing_s is None:
@@ -118,6 +120,14 @@ def can_home(context: CommandContext) -> str | None:
     if state.held is not None:
         return "STOP is latched. Enter releases it."
     return "The dish is already homing." if state.activity is Activity.HOMING else None
+
+
+def can_sync(context: CommandContext) -> str | None:
+    """Return why the dish cannot be told where it points now. HELD is no reason: nothing moves by it."""
+    state = context.state
+    if state.link.state is not LinkPhase.UP or state.dish is None:
+        return "The dish does not answer."
+    return state.dish.no_sync or None
 
 
 def can_release(context: CommandContext) -> str | None:

@@ -90,9 +90,16 @@ def tells_at_rest(view: View) -> bool:
 def home_hint(view: View) -> str:
     """Return how a dish comes to know where it points, in a few words."""
     dish = view.state.dish
+    if dish is not None and dish.must_be_told:
+        return "Y tells it where it points"
     if dish is not None and dish.homing_s is None:
         return "switch it off and on: it homes by itself"
     return "H homes it"
+
+
+def unhomed_word(view: View) -> str:
+    """Return what a dish is that does not know where it points."""
+    return "NOT SYNCED" if view.state.awaits_sync else "NOT HOMED"
 
 
 TOLD_DEG = 0.01
@@ -152,7 +159,7 @@ def _tags(view: View, *shown: str) -> str:
     tags = [
         ("HELD", state.held is not None),
         ("FAULT", state.fault is not None),
-        ("NOT HOMED", state.homed is False),
+        (unhomed_word(view), state.homed is False),
     ]
     return "".join(f"  + {word}" for word, on in tags if on and word not in shown)
 
@@ -170,7 +177,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.fault is not None:
         fault = state.fault
         words = f"✖ FAULT {fault.utc:%H:%M:%S}  {_stopped(fault.what)} {fault.meaning} {fault.remedy}"
-        return "fault-row", f"{words}{enter_words(view, 'acknowledge')}{_tags(view, 'FAULT', 'NOT HOMED')}"
+        return "fault-row", f"{words}{enter_words(view, 'acknowledge')}{_tags(view, 'FAULT', unhomed_word(view))}"
     if link.state is LinkPhase.LOST and not state.port:
         return "warn-row", f"○ NO PORT  {link.detail}{_tags(view)}"
     if link.state is LinkPhase.LOST:
@@ -189,7 +196,7 @@ def bad_day(view: View) -> tuple[str, str] | None:
     if state.homed is False and state.activity is Activity.HOMING:
         return "warn-row", f"▲ NOT HOMED  Homing: it runs into its end stops. Only the {power_switch(view)} stops it."
     if state.homed is False:
-        return "warn-row", f"▲ NOT HOMED  The dish does not know where it points.  {_homed_by(view)}"
+        return "warn-row", f"▲ {unhomed_word(view)}  The dish does not know where it points.  {_homed_by(view)}"
     if state.position_lost is Reason.UNREADABLE and state.activity is not Activity.HOMING:
         where = "" if "pocket" in view.scopes else ": see F5"
         return "warn-row", f"▲ POSITION UNREADABLE  The position reply is unreadable{where}.  {_homed_by(view)}"
@@ -246,7 +253,9 @@ def _last_seen(view: View) -> str:
 
 def _homed_by(view: View) -> str:
     """Return how it comes to know where it points, as a sentence that is not broken after its key."""
-    how = home_hint(view).replace("H homes", "H\N{NO-BREAK SPACE}homes")
+    how = home_hint(view)
+    for key in ("H homes", "Y tells"):
+        how = how.replace(key, key.replace(" ", "\N{NO-BREAK SPACE}"))
     return f"{how[:1].upper()}{how[1:]}."
 
 

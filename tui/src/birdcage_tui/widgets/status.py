@@ -13,7 +13,7 @@ from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import cell_len, cut, pad, shorten, wrap
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.pursuit import pursuit_of
-from birdcage_tui.shown.state_words import ACTIVITY, LATE, LINK, age_text, bad_day, calm, through
+from birdcage_tui.shown.state_words import ACTIVITY, LATE, LINK, age_text, bad_day, calm, through, unhomed_word
 from birdcage_tui.shown.track_words import STATUS, countdown_s, live_words
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -101,7 +101,7 @@ class StatusLine(Pane):
         elif state.fault is not None and not view.may_move and state.held is None:
             activity = "FAULT"
         elif state.homed is False and not view.moving and state.held is None:
-            activity = "NOT HOMED"
+            activity = unhomed_word(view)
         holder = cut(state.holder or ("free" if wide else ""), 16)
         holder = f"control: {holder}" if wide else holder
         fields = [

@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
-from birdcage.setup.step import Choice
+from birdcage.base.errors import ConfirmationNeeded
+from birdcage.setup.context import SetupContext
+from birdcage.setup.step import Choice, Field
 from birdcage.setup.steps.base import Plan, Step
+from birdcage.setup.typed import number, optional_number
 from birdcage.station.known import Facts
-from birdcage.station.requests import Home
+from birdcage.station.requests import Home, Sync
 from birdcage.station.state import Activity
+
+EMPTY_EL = "empty: as it tells it"
 
 
 class HomeStep(Step):
@@ -18,10 +24,17 @@ class HomeStep(Step):
     title = "Home"
     page = "control"
 
+    def __init__(self, bench: SetupContext) -> None:
+        super().__init__(bench)
+        self._asked: Sync | None = None
+        """What it was to be told, and has asked about."""
+
     @property
     def proven(self) -> bool | None:
         """Only the dish knows, and what it says counts."""
         state = self.bench.state
+        if self._told_by_a_person:
+            return self.bench.is_up and state.homed is True and state.position_lost is None
         if self._never:
             return self.bench.is_up
         homed = state.homed is not False and state.position is not None if self._by_itself else state.homed is True
@@ -39,11 +52,22 @@ class HomeStep(Step):
         model = self.bench.state.dish
         return model is not None and model.never_homes
 
+    @property
+    def _told_by_a_person(self) -> bool:
+        """Whether its zero is where it was switched on."""
+        model = self.bench.state.dish
+        return model is not None and bool(model.must_be_told)
+
     def evidence(self) -> str:
         """Say where it stands."""
         state = self.bench.state
         if not self.bench.is_up:
             return "not known before the dish answers"
+        if self._told_by_a_person:
+            here = state.position
+            if not self.proven or here is None:
+                return "not told where it points yet"
+            return f"told, now at AZ {here.az_deg:.2f} EL {here.el_deg:.2f}"
         if self._never:
             return "this dish has no homing"
         if self.proven and state.position is not None:
@@ -56,6 +80,12 @@ class HomeStep(Step):
     def words(self) -> tuple[str, ...]:
         """Name the consequence."""
         model = self.bench.state.dish
+        if self._told_by_a_person:
+            return (
+                "Its zero is where it was switched on, so a person tells it where it points. Nothing moves.",
+                "Look along it: its azimuth clockwise from true north, its elevation above the horizon.",
+                *self.trouble(),
+            )
         if model is not None and self._never:
             return (model.no_homing,)
         if model is not None and self._by_itself:
@@ -82,17 +112,38 @@ class HomeStep(Step):
         """Home it, once it answers; where it homes by itself there is nothing to press."""
         if not self.bench.is_up:
             return ()
+        if self._told_by_a_person:
+            fields = (Field("az_deg", "azimuth", "deg", "true"), Field("el_deg", "elevation", "deg", EMPTY_EL))
+            tell = Choice("sync", "t" if self.proven else "enter", "Tell it where it points", fields=fields)
+            sure = () if self._asked is None else (Choice("sure", "y", "It points there: tell it all the same"),)
+            return (*self.release_choice(), *sure, tell)
         if self._by_itself:
             return self.release_choice()
         label = "Home again" if self.proven else "Area is clear: home"
         return (*self.release_choice(), Choice("home", "h" if self.proven else "enter", label, moves=True, far=True))
 
-    def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
-        """Home, or release."""
-        if choice == "release":
+    def take(self, choice: str, values: Mapping[str, str]) -> None:
+        """Home, tell, or release."""
+        if choice == "sync":
+            az_deg = number(values, "az_deg", "azimuth", 0.0, 360.0)
+            el_deg = optional_number(values, "el_deg", "elevation", -90.0, 90.0)
+            self.begin(self._tell(Sync(az_deg, el_deg, self.bench.holder)), "telling it")
+        elif choice == "sure" and self._asked is not None:
+            self.begin(self._tell(replace(self._asked, agreed=True)), "telling it")
+        elif choice == "release":
             self.begin(self.release(), "releasing")
         else:
             self.begin(self._home(), "homing; only cutting its power stops it")
+
+    def _tell(self, request: Sync) -> Plan:
+        self._asked = None
+        try:
+            yield self.bench.ask(request)
+        except ConfirmationNeeded:
+            self._asked = request
+            raise
+        self.bench.forget("home")
+        self.bench.completed.add(self.name)
 
     def _home(self) -> Plan:
         yield self.bench.ask(Home(self.bench.holder))

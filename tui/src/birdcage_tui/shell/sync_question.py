@@ -1,0 +1,100 @@
+"""Asks where a machine points that has to be told, and tells it: nothing moves by it."""
+
+from __future__ import annotations
+
+import math
+from concurrent.futures import Future
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Protocol
+
+from birdcage.base.errors import ConfirmationNeeded
+from birdcage.station.access import FaceStation
+from birdcage.station.requests import Sync
+from textual.app import App
+
+from birdcage_tui.feeds.app_host import AppHost
+from birdcage_tui.shown.view import YOU
+from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+WORDS = (
+    "Look along the machine: where does it point, by a compass and by an inclinometer? "
+    "Its azimuth counts clockwise from true north. Nothing moves."
+)
+
+
+class SyncHost(AppHost, Protocol):
+    """The app, seen from here."""
+
+    @property
+    def station(self) -> FaceStation:
+        """Where requests go."""
+
+    def soon(self, work: Callable[[], None]) -> None:
+        """Do something soon on the app's thread. Any thread."""
+
+
+class SyncQuestion:
+    """A form of two lines; where the machine believes otherwise, that is asked before it is told."""
+
+    def __init__(self, app: App[None], host: SyncHost) -> None:
+        self._app, self._host = app, host
+
+    def ask(self) -> None:
+        """Show the form, with where it is known to point."""
+        state = self._host.view().state
+        known = state.position if state.position_lost is None else None
+        az, el = ("", "") if known is None else (f"{known.az_deg:.1f}", f"{known.el_deg:.1f}")
+        measures = state.dish is not None and state.dish.elevation.name not in state.dish.zero_at_power_up
+        hint = "it measures that itself: may stay empty" if measures else "degrees above the horizon"
+        fields = (FieldRow("azimuth", az, "0 to 360, true"), FieldRow("elevation", el, hint))
+
+        def answered(values: Values | None) -> None:
+            if values is not None:
+                self._tell(Sync(_angle(values[0]), _angle(values[1]) if values[1].strip() else None, YOU))
+
+        def check(values: Values) -> str:
+            return _wrong(values, may_lack=measures)
+
+        self._app.push_screen(
+            FieldsScreen("Tell it where it points", WORDS, fields, check, enter="Enter tells"), answered
+        )
+
+    def _tell(self, request: Sync) -> None:
+        def done(future: Future[object]) -> None:
+            error = None if future.cancelled() else future.exception()
+            if isinstance(error, ConfirmationNeeded):
+                self._host.soon(partial(self._confirm, request, str(error)))
+                return
+            words = f"It was told: azimuth {request.az_deg:.2f}°." if error is None else str(error)
+            self._host.soon(partial(self._host.say, words))
+
+        self._host.station.submit(request).add_done_callback(done)
+
+    def _confirm(self, request: Sync, words: str) -> None:
+        def answered(agreed: bool | None) -> None:
+            if agreed:
+                self._tell(replace(request, agreed=True))
+
+        self._app.push_screen(QuestionScreen("Tell it where it points", words, "tell it"), answered)
+
+
+def _angle(text: str) -> float:
+    """Return what was typed in degrees; NaN for what is no number."""
+    try:
+        return float(text.strip().replace(",", ".").rstrip("°").strip())
+    except ValueError:
+        return math.nan
+
+
+def _wrong(values: Values, *, may_lack: bool) -> str:
+    """Return what is wrong with what was typed; empty for nothing."""
+    if not 0.0 <= _angle(values[0]) <= 360.0:
+        return "Type the azimuth: 0 to 360."
+    if not values[1].strip():
+        return "" if may_lack else "Type the elevation: -90 to 90."
+    return "" if -90.0 <= _angle(values[1]) <= 90.0 else "Type the elevation: -90 to 90."
