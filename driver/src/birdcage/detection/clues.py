@@ -47,8 +47,9 @@ def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, .
         at = f" at {finding.baud} baud" if rate_counts else ""
         found += [Clue(name, words, weight) for words, weight in _clues(finding, protocol, at, own_rate=own_rate)]
     if finding.saw is Saw.TEXT:
-        found += [Clue(name, words, CERTAIN) for name, words in answered(finding)]
-        found += [Clue(name, f"`{mark}` in what it prints", LIKELY) for name, mark in marked_lines(finding)]
+        told = answered(finding)
+        found += [Clue(name, words, CERTAIN) for name, words in told]
+        found += [Clue(name, f"`{mark}` in what it prints", LIKELY) for name, mark in marked_lines(finding) if not told]
     return tuple(found)
 
 

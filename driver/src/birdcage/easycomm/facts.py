@@ -39,8 +39,8 @@ FACTS = Facts(
     firmware="easycomm",
     baud=BAUD,
     axes=(
-        Axis(AZIMUTH, Role.AZ, 0.0, 360.0, 12.6, 6.0, 0.05, overshoot_deg=0.5, turn_by=TurnBy.HOST),
-        Axis(ELEVATION, Role.EL, 0.0, 90.0, 24.4, 10.0, 0.05, overshoot_deg=0.5),
+        Axis(AZIMUTH, Role.AZ, 0.0, 360.0, 12.6, 30.0, 0.05, overshoot_deg=0.5, turn_by=TurnBy.HOST),
+        Axis(ELEVATION, Role.EL, 0.0, 90.0, 24.4, 60.0, 0.05, overshoot_deg=0.5),
     ),
     cable=CableRange(-360.0, 360.0),
     turn=CableTurn.REPORTED,
@@ -61,6 +61,7 @@ FACTS = Facts(
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=None,
     never_homes=True,
+    zero_at_power_up=(AZIMUTH,),
     boot_s=RP2040_BOOT_S,
     readback=Readback.ALWAYS,
     sends_together=True,
@@ -77,7 +78,7 @@ FACTS = Facts(
         documented="""
             name firmware baud azimuth.min_deg azimuth.max_deg elevation.min_deg elevation.max_deg azimuth.step_deg
             elevation.step_deg azimuth.speed_deg_s elevation.speed_deg_s turn second_same second_other stop_ladder
-            search_switch never_homes readback cable.min_deg cable.max_deg tells_version boot_s
+            search_switch never_homes zero_at_power_up readback cable.min_deg cable.max_deg tells_version boot_s
         """,
         inferred="""
             azimuth.acceleration_deg_s2 elevation.acceleration_deg_s2 azimuth.overshoot_deg elevation.overshoot_deg
@@ -94,6 +95,7 @@ STOCK_FACTS = replace(
     cable=CableRange(0.0, 360.0),
     homing_s=STOCK_HOMING_S,
     never_homes=False,
+    zero_at_power_up=(),
     boot_s=STOCK_BOOT_S,
     features={each: feature for each, feature in FEATURES.features.items() if each in STOCK_IDS},
 )

@@ -127,15 +127,17 @@ def _input(index: int, name: str, label: str, unit: str = "", kind: FeatureKind 
 _SHARED = (
     FeatureRow(
         Feature(VERSION, "Version of the firmware", kind=FeatureKind.TEXT, cost=Cost(while_moving=True), asked="VE",
-                group="Controller"),
+                page=FeaturePage.HARDWARE, group="Controller"),
         _version,
     ),
     FeatureRow(
-        Feature(STATUS, "Status", kind=FeatureKind.TEXT, cost=QUICK, asked="GS", group="Controller"), _status
+        Feature(STATUS, "Status", kind=FeatureKind.TEXT, cost=QUICK, asked="GS", page=FeaturePage.MOTORS,
+                group="Controller"),
+        _status,
     ),
     FeatureRow(
-        Feature(ERROR, "Error", kind=FeatureKind.TEXT, cost=QUICK, asked="GE", group="Controller",
-                health=HealthMark("error", good=("none",))),
+        Feature(ERROR, "Error", kind=FeatureKind.TEXT, cost=QUICK, asked="GE", page=FeaturePage.MOTORS,
+                group="Controller", health=HealthMark("error", good=("none",))),
         _error,
     ),
 )  # fmt: skip

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, LinkError, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, LinkError, NoReply
 from birdcage.base.reason import Reason
+from birdcage.base.trouble import MotorTrouble
 from birdcage.console.line_session import LineSession
 from birdcage.console.line_splitter import HeardLine
 from birdcage.easycomm.commands import DOCUMENTED, HAZARDS
-from birdcage.easycomm.facts import FACTS
+from birdcage.easycomm.facts import FACTS, STOCK_HOMING_S
 from birdcage.easycomm.features import FEATURES
 from birdcage.easycomm.kinds import OTHER, EasycommKind, kind_of
 from birdcage.easycomm.typed_lines import EasycommRaw
@@ -28,17 +29,19 @@ from birdcage.easycomm.wire import (
     SAFE_QUERY,
     VERSION,
     WIRE,
+    ZEROED,
     set_line,
 )  # fmt: skip
 from birdcage.link.opening import open_link
 from birdcage.rotator.facts import Facts
+from birdcage.rotator.feature import VERSION as VERSION_FEATURE
 from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.plain import PlainLine, PlainRotator
 from birdcage.rotator.raw import RawLines
 from birdcage.rotator.readings import UnreadablePosition
-from birdcage.rotator.values import Look, Taken
+from birdcage.rotator.values import Look, Survey, Taken
 
 VERSION_S = 1.0
 """How long a firmware may take to tell its version; one that does not know the question is silent."""
@@ -71,8 +74,9 @@ class EasycommRotator(PlainRotator):
         self._query = SAFE_QUERY
         self._in_force: dict[str, float | None] = {}
         """What the firmware's target of an axis is known to be; None: where it stands since STOP."""
-        self._lost = ""
-        """Why it does not know where it points; empty if it does."""
+        self._version = ""
+        self._homed = False
+        """Whether `RESET` has found both switches, and nothing was sent since."""
 
     @property
     def is_open(self) -> bool:
@@ -118,18 +122,19 @@ class EasycommRotator(PlainRotator):
             if error.reason not in (Reason.SILENT, Reason.BLOCKED):
                 raise
             version = ""
-        self.kind = kind_of(version)
+        self.kind, self._version = kind_of(version), version
         self._query = self.kind.query
         self._read_position()
         self.facts = self.kind.facts
         self._hooks.on_facts(self.facts)
 
+    def survey(self) -> Survey:
+        """Tell the version that it had as it was met."""
+        return Survey(features={VERSION_FEATURE: self._version} if self._version else {})
+
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002 - each is answered at once
-        """See `Rotator`."""
-        told = self._read_position()
-        if self._lost:
-            raise PositionUnknown(self._lost, reason=Reason.UNHOMED)
-        return Look(told)
+        """See `Rotator`: as it counts. Where its zero points a person tells (`Facts.zero_at_power_up`)."""
+        return Look(self._read_position())
 
     def _read_position(self) -> dict[str, float]:
         """Ask once where it is by its own count."""
@@ -155,11 +160,14 @@ class EasycommRotator(PlainRotator):
         assert match is not None, "`_hear` keeps no other"
         return match[1]
 
-    def ask(self, line: str, answer: str | re.Pattern[str], *, within_s: float | None = None) -> re.Match[str]:
-        """Send a line that moves nothing, and return how its answer matched. NoReply where none came in time."""
+    def ask(
+        self, line: str, answer: str | re.Pattern[str], *, within_s: float | None = None,
+        permit: Callable[[], None] | None = None,
+    ) -> re.Match[str]:  # fmt: skip
+        """Send a line, and return how its answer matched. NoReply where none came in time."""
         sent = self.clock.monotonic()
         try:
-            told = self.session.ask(line, re.compile(answer), within_s=within_s)
+            told = self.session.ask(line, re.compile(answer), within_s=within_s, permit=permit)
         except NoReply:
             self.line.note_silence()
             raise
@@ -172,7 +180,7 @@ class EasycommRotator(PlainRotator):
         A number behind AZ or EL ends manual mode on both axes: an axis whose target is not known to be ours is sent
         where it stands.
         """
-        angles = dict(to) | self._others(to)
+        angles, self._homed = dict(to) | self._others(to), False
         self.session.send(set_line(angles, self.kind.decimals), self._hooks.permit)
         self._in_force |= angles
         return Taken(sure=True, said=self.ask(self._query, POSITION)[0], took_s=self.line.took_s)
@@ -192,7 +200,11 @@ class EasycommRotator(PlainRotator):
 
     def _forget(self) -> None:
         """Count on no target any more: somebody else may have set another."""
-        self._in_force = {}
+        self._in_force, self._homed = {}, False
+
+    def _recounted(self) -> None:
+        self._forget()
+        self._hooks.on_recount()
 
     def stop_now(self, order: StopOrder) -> None:
         """See `Rotator`."""
@@ -231,12 +243,30 @@ class EasycommRotator(PlainRotator):
             self._elevation = line
         elif any(mark in line.text for mark in BOOT_MARKS):
             self._forget()
-            self._lost = (
-                "The rotator has restarted, and counts azimuth from where it pointed then. Point it at something known."
-            )
             self._hooks.on_restart(line.text)
+        elif line.text == ZEROED:
+            self._recounted()
         elif MONITORED.fullmatch(line.text) is None:
             self._hooks.on_line(line.text)
+
+    def home(self, axis: str) -> None:
+        """Run both axes to their switches (`RESET`, the stock firmware alone), which nothing stops.
+
+        CommandRefused (`unsupported`) of any other firmware, for which `RESET` means something else; with the trouble
+        of the axis where a switch is not found. The second axis is found with the first one.
+        """
+        if not self.kind.homes:
+            raise self._lacks("homing")
+        if not self._homed:
+            self.ask("RESET", POSITION, permit=self._hooks.permit)
+            self._in_force = dict.fromkeys(AXIS_WORDS, 0.0)
+        code = self.ask("GE", r"GE(\d+)", within_s=STOCK_HOMING_S)[1]  # it reads nothing before it has homed
+        if code != "1":
+            raise CommandRefused(
+                f"The rotator did not find its switches (GE{code}). Only its power clears that: switch it off and on.",
+                reason=Reason.FAILED, trouble=MotorTrouble(axis, homing=True, said=f"GE{code}"),
+            )  # fmt: skip
+        self._homed = True
 
     def recalibrate(self) -> None:
         """Take the elevation from the accelerometer (`RECAL`). CommandRefused where there is none."""
@@ -254,7 +284,7 @@ class EasycommRotator(PlainRotator):
         """
         for name in ("AZ", "EL"):
             self.ask(f"DUTY_{name}0", rf"{name} duty=.*")
-        self.ask("ZERO", "Encoders zeroed")
+        self.ask("ZERO", ZEROED)
+        self._recounted()
         self._read_position()  # the loop has read the new counts before it answers
         self.ask(self.kind.stop, POSITION)
-        self._forget()

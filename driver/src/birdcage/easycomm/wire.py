@@ -26,6 +26,7 @@ MONITORED = re.compile(r"AZ_T=(-?\d+) EL_T=(-?\d+) .*")
 """A line of the live stream, which comes between answers."""
 PROBE = LineProbe(b"\nVE\n", re.compile(r"VESatNOGS-\S+"), "VE", ("SatNOGS-RP2040", "EL homing: IMU", "AZ_T="))
 """`VE` moves nothing on either firmware; a console of another machine does not know it."""
+ZEROED = "Encoders zeroed"
 BOOT_MARKS = ("== SatNOGS", "EL homing: IMU", "AZ zeroed (")
 """What the RP2040 prints only when it starts."""
 

@@ -52,6 +52,8 @@ class Hooks:
     """
     on_restart: Callable[[str], None] = _nothing
     """Hears a line that tells that the machine has just started: it has forgotten everything."""
+    on_recount: Callable[[], None] = _nothing
+    """Hears that the machine counts an axis from elsewhere from now on: where that points must be told anew."""
     on_trouble: Callable[[MotorTrouble], None] = _nothing
     """Hears that an axis does not turn, or did not find its reference."""
     on_busy: Callable[[], None] = _nothing

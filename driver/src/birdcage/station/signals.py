@@ -49,6 +49,6 @@ class Signals:
     interrupted: Signal[[HeldReason]] = field(default_factory=Signal)
     """The dish is out of sight, has restarted, or the clock has stepped; HELD follows."""
     restarted: Signal[[]] = field(default_factory=Signal)
-    """The dish was heard to start: nothing that was counted before holds."""
+    """The dish was heard to start, or counts from elsewhere: nothing that was counted before holds."""
     speed_stuck: Signal[[str]] = field(default_factory=Signal)
     """The dish did not take its own speed back; with a sentence."""

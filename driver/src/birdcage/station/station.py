@@ -120,7 +120,7 @@ class Station:
                 dial=settings.open_link, site=settings.site, delay_s=settings.delay_s, permit=antenna.check_permit,
                 wake=self._wake, on_wake=self._on_wake, on_line=monitor.on_line, on_restart=monitor.restarted,
                 on_trouble=monitor.troubled, on_look=monitor.heard_position, on_facts=reader.learn, on_busy=mover.busy,
-                on_prompt=monitor.boot_log.ended,
+                on_prompt=monitor.boot_log.ended, on_recount=signals.restarted,
             ),
         )  # fmt: skip
         rewire = Rewire(parts, self._connection, monitor, self._wake, self._on_wake)

@@ -8,10 +8,11 @@ from typing import Any
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError
 from birdcage.base.geometry import separation, shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator import machines
 from birdcage.rotator.facts import Facts, Readback
 from birdcage.station.events import Event
-from birdcage.station.requests import Goto, ReleaseLease, Request, Watch
+from birdcage.station.requests import AcknowledgeFault, Goto, ReleaseLease, Request, Sync, Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, LinkPhase, StationState
@@ -84,9 +85,15 @@ class Stage:
         """Open, meet, and read everything there is; somebody looks at the position from then on."""
         self.station.submit(Watch("contract", frozenset({"position"}), 2.0))
         self.until(
-            lambda: self.state.link.state is LinkPhase.UP and self.state.surveyed and (self.is_found or not self.tells),
-            self.bench.ready_s, "the machine was met and its position read",
-        )  # fmt: skip
+            lambda: (
+                self.state.link.state is LinkPhase.UP
+                and self.state.surveyed
+                and (self.is_found or not self.tells or self.must_be_told)
+            ),
+            self.bench.ready_s,
+            "the machine was met and its position read",
+        )
+        self.tell_where()
         self.until(lambda: self.state.activity is Activity.IDLE, self.bench.ready_s, "the machine was seen at rest")
         require(self.tells or self.knows_nothing(), f"it was not told, and {self.state.position} is claimed")
         return self
@@ -103,6 +110,18 @@ class Stage:
     def tells(self) -> bool:
         """Whether this machine tells its position; else it is driven by time, and its position is modelled."""
         return self.facts.tells_at_rest
+
+    @property
+    def must_be_told(self) -> bool:
+        """Whether it waits for a person to tell where it points."""
+        return self.state.position_lost == Reason.UNSYNCED
+
+    def tell_where(self) -> None:
+        """Tell it that, as its mechanics have it, where only a person can."""
+        if self.must_be_told:
+            if self.state.fault is not None:
+                self.do(AcknowledgeFault("contract"))
+            self.do(Sync(self.truth.az_deg % 360.0, self.truth.el_deg, "contract", agreed=True))
 
     @property
     def is_found(self) -> bool:

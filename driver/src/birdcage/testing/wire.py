@@ -122,9 +122,14 @@ class WireContract:
     def _comes_back(stage: Stage) -> None:
         since, before = stage.clock.monotonic(), stage.truth
         stage.until(
-            lambda: stage.state.link.state is LinkPhase.UP and (stage.is_found or stage.knows_nothing()),
-            BACK_S, "it came back",
-        )  # fmt: skip
+            lambda: (
+                stage.state.link.state is LinkPhase.UP
+                and (stage.is_found or stage.knows_nothing() or stage.must_be_told)
+            ),
+            BACK_S,
+            "it came back",
+        )
+        stage.tell_where()
         require(stage.rests_for(3.0), "it moves by itself after it came back")
         require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
         require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")
