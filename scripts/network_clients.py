@@ -16,7 +16,7 @@ from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.elements import ElementSet
 from birdcage.sky.observer import Observer
 from birdcage.sky.propagate import track
-from birdcage_tui.run import DEMO_PLACE
+from birdcage_tui.demo import DEMO_PLACE
 from stage import HERE, START, Stage
 
 ADDRESS = ("127.0.0.1", 4533)

@@ -30,6 +30,7 @@ from birdcage.skymap.map_keeper import MapKeeper
 from birdcage.skymap.map_task import map_tasks
 from birdcage.station.build import open_session
 from birdcage.station.known import SystemFacts
+from birdcage_tui.demo import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.drawing.themes import LOOKS
 from birdcage_tui.feeds.calibrate_source import make_calibrate
 from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
@@ -38,7 +39,6 @@ from birdcage_tui.feeds.ready_watch import KeptSteps
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.feeds.sky_feed import make_sky
 from birdcage_tui.feeds.track_source import make_track
-from birdcage_tui.run import DEMO_DELAY_S, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from textual.pilot import Pilot
 

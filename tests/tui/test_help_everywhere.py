@@ -30,6 +30,8 @@ SCOPES = {
 POCKET_SCOPES = {(): ("pocket",), ("f",): ("pocket-passes", "pocket")}
 MAP_OFFER = ("map-offer", "signal")
 """A horizon that a map proposes: its keys are pressed in `test_map_teach`."""
+TWO_DISHES = ("dashboard", "dishes")
+"""An app with a second dish: its help is read in `test_two_dishes`."""
 OFFER_SCOPES = tuple((f"offer-{deed}", "craft") for deed in ("follow", "aim", "autotrack"))
 """What letters offer to do, which takes a target that was found: its help is read in `test_follow_from_passes`."""
 
@@ -92,7 +94,7 @@ def test_help_shows_what_holds_and_does_each_and_the_footer_begins_with_stop(key
 def test_every_command_is_in_some_help_and_so_has_a_mouse_target():
     listed = {
         command
-        for scopes in (*SCOPES.values(), *POCKET_SCOPES.values(), *OFFER_SCOPES, MAP_OFFER)
+        for scopes in (*SCOPES.values(), *POCKET_SCOPES.values(), *OFFER_SCOPES, MAP_OFFER, TWO_DISHES)
         for command in in_force(scopes)
     }
     assert listed == set(COMMANDS)

@@ -51,8 +51,14 @@ class Ended:
     track = SimpleNamespace(wait=lambda _timeout_s: None)
 
     def __init__(self, session, _settings):
+        self.dishes = SimpleNamespace(end=self.end, crash=session.crash)
         self.session = session
         self.ending = SimpleNamespace(anew=False, by_signal=lambda _number: None)
+
+    def end(self, _by, wait_s):
+        words = self.session.close()
+        self.track.wait(wait_s)
+        return words
 
     def run(self):
         if self.crash is not None:

@@ -51,7 +51,7 @@ def test_the_link_has_its_last_minutes_beside_its_figures_where_there_is_room():
             slow = 0.048 if reply == 60 else 0.012
             link = replace(state.link, last_reply=clock.monotonic(), round_trip_s=slow)
             app.station.state = replace(state, link=link)
-            app._news()
+            app.news(app.dishes.shown)
         app.paint()
         await pilot.pause()
         return stand_in.text_of(app), "".join(map("".join, app.query_one(HealthPane)._cells._chars[-5:]))

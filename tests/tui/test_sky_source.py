@@ -17,8 +17,8 @@ from birdcage.sky.catalogue import Catalogue
 from birdcage.sky.demo_orbits import demo_orbits
 from birdcage.sky.frozen import frozen
 from birdcage.sky.observer import Observer
+from birdcage_tui.demo import DEMO_PLACE
 from birdcage_tui.feeds.sky_feed import make_sky
-from birdcage_tui.run import DEMO_PLACE
 from birdcage_tui.shown.options import SitePlace
 from icalendar import Calendar
 

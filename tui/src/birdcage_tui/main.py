@@ -55,6 +55,9 @@ def parser() -> argparse.ArgumentParser:
     parse.add_argument("--port", help="serial port or URL: /dev/ttyUSB0, COM4, socket://host:port, sim:NAME")
     firmware = parse.add_argument("--firmware", help="the dish's console; default: ask the dish")
     parse.add_argument("--baud", type=int, help="baud rate; default: that of the dish")
+    parse.add_argument(
+        "--also", metavar="FILE", help="drive a second dish, by a birdcage.toml of its own; with --demo, its firmware"
+    )
     parse.add_argument("--speed", type=float, help="run the simulated dish this many times faster; only with --demo")
     parse.add_argument("--theme", choices=("dusk", "daylight", "night"), help="theme; T changes it in the app")
     parse.add_argument(

@@ -8,6 +8,7 @@ import shutil
 import sys
 from contextlib import ExitStack, suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
 from uuid import uuid4
@@ -18,6 +19,7 @@ from birdcage.base.config.edit import edit
 from birdcage.base.errors import BirdcageError
 from birdcage.base.log_output import LogOutput
 from birdcage.base.paths import Paths, throw_away_paths
+from birdcage.base.second_dish import second_dish
 from birdcage.base.signals import SignalListener
 from birdcage.diagnostics.motor_test_records import MotorTestBook
 from birdcage.diagnostics.motor_test_task import MotorTests
@@ -27,11 +29,12 @@ from birdcage.skymap.map_keeper import MapKeeper
 from birdcage.skymap.map_task import map_tasks
 from birdcage.station.access import FaceSession
 from birdcage.station.build import open_session
+from birdcage.station.control_client import owners_folder
 from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.services import Services
 from birdcage.station.session import Session
-from birdcage.station.turn_memory import DishAsLeft, leave
 
+from birdcage_tui.demo import DEMO_DELAY_S, DEMO_FIRMWARE, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.drawing.glyphs import fitting
 from birdcage_tui.drawing.terminal_cells import ASPECT
 from birdcage_tui.feeds.calibrate_source import make_calibrate
@@ -54,16 +57,6 @@ if TYPE_CHECKING:
 
 PROGRAM = "birdcage-tui"
 """How this program is called in others."""
-DEMO_FIRMWARE = "g2"
-"""What the demo drives unless told otherwise, and what is spoken at first where nothing has told what the dish is."""
-DEMO_PLACE = SitePlace(39.1, -95.7, "EM29, demo")
-DEMO_CABLE_DEG, DEMO_EL_DEG = -211.0, 38.0
-"""Where the demo's dish stands at first: a second of turning away from the pass that is under way then, which
-is the same at any time of day (`birdcage.sky.demo_plan`), and far enough for its signal to rise."""
-DEMO_DELAY_S = 0.5
-"""How late its answers may be. It is in this program: nothing is under way from another one, and no wire is slow."""
-DEMO_PARK = (180.0, 40.0)
-"""True azimuth and elevation to which it goes after a pass."""
 LEAVE_S = 1.0
 """How long the end may wait for what is followed to be remembered, a pass to be logged, a receiver to be told LOS."""
 QUIT_S = 6.0
@@ -71,26 +64,6 @@ QUIT_S = 6.0
 EXIT_ERROR = 1
 EXIT_FAULT = 70
 """A fault of birdcage itself, as `birdcage` has it."""
-
-
-def demo_port(firmware: str, dish: str = "") -> str:
-    """Return the simulated dish of the demo; by its id `dish` the receiver beside it finds it."""
-    here = f"sim:{firmware}?lat={DEMO_PLACE.latitude_deg}&lon={DEMO_PLACE.longitude_deg}"
-    # Other dishes count their azimuth from elsewhere, or have a cable that ends elsewhere: they stand as they come.
-    stands = f"&az={DEMO_CABLE_DEG}&el={DEMO_EL_DEG}" if firmware == DEMO_FIRMWARE else ""
-    return here + stands + (f"&id={dish}" if dish else "")
-
-
-def name_demo(_port: str) -> str:
-    """Return the name under which the demo's dish is remembered, in a folder that is gone afterwards."""
-    return "demo"
-
-
-def remember_demo(paths: Paths, firmware: str) -> None:
-    """Let the demo begin as at the dish of somebody who has used it before: with a cable that was counted."""
-    if firmware == DEMO_FIRMWARE:
-        left = DishAsLeft(DEMO_CABLE_DEG, DEMO_CABLE_DEG % 360.0, DEMO_EL_DEG)
-        leave(paths.state, name_demo(""), firmware, left)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -113,6 +86,7 @@ def run(options: argparse.Namespace) -> int:
                 return signals.status(status)
             anew = True
             # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
+            # For a second dish its own file says it anyway.
             options.firmware, options.baud = load(paths.config_file, environ={}).dish.firmware, None
 
 
@@ -128,23 +102,14 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
     """
     with ExitStack() as stack:
         try:
-            session, settings, services = _build(options, paths)
+            built = _build_all(options, paths)
         except BirdcageError as wrong:
             return _complain(wrong)
-        app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings)
-        if not options.demo and isinstance(session, Session):
-            from birdcage.station.control_client import owners_folder
-            from birdcage.station.control_server import ControlServer
-            from birdcage.station.inhibitor import SleepInhibitor
-
-            # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
-            control = ControlServer(session.station, owners_folder(paths), PROGRAM, session.on_wire, services)
-            stack.callback(control.close)
-            stack.callback(SleepInhibitor(session.station).close)
-        if settings.network is not None:
-            stack.callback(settings.network.close)
-        if settings.signal is not None:
-            stack.callback(settings.signal.close_meters)
+        (session, settings, _), *rest = built
+        also = [(each, its_settings) for each, its_settings, _ in rest]
+        app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings, *also)
+        for each, its_settings, services in built:
+            _serve(each, its_settings, services, owners_folder(paths), stack, demo=options.demo)
         app.ending.take_signal = signals.take
         signals.tell(app.ending.by_signal, lambda: _end_stuck(app))
         try:
@@ -158,12 +123,28 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
         return _status(app)
 
 
+def _serve(
+    session: FaceSession, settings: AppOptions, services: Services, folder: Path, stack: ExitStack, *, demo: bool
+) -> None:
+    """Let other programs reach a dish of this one, until the stack is left, and close then what was made for it."""
+    if not demo and isinstance(session, Session):
+        from birdcage.station.control_server import ControlServer
+        from birdcage.station.inhibitor import SleepInhibitor
+
+        # `birdcage stop` in another terminal calls here; and a suspended program stops nothing.
+        control = ControlServer(session.station, folder, PROGRAM, session.on_wire, services)
+        stack.callback(control.close)
+        stack.callback(SleepInhibitor(session.station).close)
+    if settings.network is not None:
+        stack.callback(settings.network.close)
+    if settings.signal is not None:
+        stack.callback(settings.signal.close_meters)
+
+
 def _finish(app: BirdcageApp) -> str:
     """End the session; return where the dish is, and what goes on in another program, as a sentence."""
-    # First of all the dish: STOP goes out here if ours moves, whatever ended the app.
-    farewell = app.session.close()
-    app.track.wait(LEAVE_S)
-    return farewell
+    # First of all the dishes: STOP goes out here if one of ours moves, whatever ended the app.
+    return app.dishes.end("quit", LEAVE_S)
 
 
 def _end_stuck(app: BirdcageApp) -> None:
@@ -175,7 +156,7 @@ def _end_stuck(app: BirdcageApp) -> None:
 
 def _status(app: BirdcageApp) -> int:
     """Return the exit status of an app that has ended without a signal."""
-    crash = app.session.crash
+    crash = app.dishes.crash
     if crash is not None:
         say_last(f"birdcage-tui: internal error: {type(crash).__name__}: {crash}", sys.stderr)
         return EXIT_FAULT
@@ -204,9 +185,29 @@ def _paths(options: argparse.Namespace, stack: ExitStack) -> Paths:
     return paths
 
 
-def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppOptions, Services]:
-    """Return the session, what the app is shown with, and what programs that are attached to it can join."""
-    clock: Clock = RealClock() if options.speed is None else ScaledClock(options.speed)
+Built = tuple[FaceSession, AppOptions, Services]
+"""A session, what the app is shown with, and what programs that are attached to it can join."""
+
+
+def _build_all(options: argparse.Namespace, paths: Paths) -> list[Built]:
+    """Return the dish, and with `--also` the second one: by a `birdcage.toml` of its own, in the demo simulated too."""
+    first = _build(options, paths)
+    if options.also is None:
+        return [first]
+    its = argparse.Namespace(**{**vars(options), "port": None, "firmware": None, "baud": None})
+    if options.demo:
+        its.firmware = options.also
+        own = paths.with_config(paths.config_file.with_name("second.toml"))
+    else:
+        its.config = options.also
+        own, _ = second_dish(paths, options.also, first[0].station.state.port)
+    return [first, _build(its, own, first[0].clock if options.demo else None, number=2)]
+
+
+def _build(options: argparse.Namespace, paths: Paths, clock: Clock | None = None, number: int = 1) -> Built:
+    """Build one dish of the app; those of a demo have one clock. Variables of the environment are for the first."""
+    clock = clock or (RealClock() if options.speed is None else ScaledClock(options.speed))
+    environ: dict[str, str] | None = {} if options.demo or number > 1 else None
     demo_firmware = _known(options.firmware or DEMO_FIRMWARE) if options.demo else ""
     # Of its own, as there may be more than one demo in a process, each with a clock of its own.
     dish = f"demo-{uuid4().hex[:8]}"
@@ -227,19 +228,19 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         from birdcage_tui.feeds.demo_radio import radio_flags, write_downlinks
 
         flags |= radio_flags(paths, dish)
-        remember_demo(paths, demo_firmware)
+        remember_demo(paths, demo_firmware, number)
         write_downlinks(paths)
-    settings = load(paths.config_file, environ={} if options.demo else None, flags=flags)
+    settings = load(paths.config_file, environ=environ, flags=flags)
 
     def make_setup() -> SetupEngine:
         from birdcage.setup.engine import Setup
 
         # The demo offers no port of this machine: a single key would open it.
         ports = list if options.demo else list_ports
-        return Setup(session, load_again(), paths, environ={} if options.demo else None, flags=flags, ports=ports)
+        return Setup(session, load_again(), paths, environ=environ, flags=flags, ports=ports)
 
     def load_again() -> Settings:
-        return load(paths.config_file, environ={} if options.demo else None, flags=flags)
+        return load(paths.config_file, environ=environ, flags=flags)
 
     sources = SourceSet(settings, clock, load_again, memory=paths.found_directions,
                         keep=lambda changes: edit(paths.config_file, changes))  # fmt: skip
@@ -260,7 +261,7 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
             paths=paths,
             clock=clock,
             survey=not options.skip_init,
-            identify=name_demo if options.demo else None,
+            identify=partial(name_demo, number=number) if options.demo else None,
             load=load_again,
             tasks={**sources.tasks, **map_tasks(maps), **motors.tasks},
             on_close=motors.book.close,
@@ -292,13 +293,14 @@ def _build(options: argparse.Namespace, paths: Paths) -> tuple[FaceSession, AppO
         track = make_track(own, settings, load_again, paths, demo=options.demo, signals=sources, services=services)
     shown = replace(
         _app_settings(settings, paths, demo=options.demo, unheeded=_unheeded(options) if attached else ""),
+        tour=options.demo and number == 1,
         setup=make_setup,
         setup_steps=KeptSteps(session, load_again, paths).count,
         sky=make_sky(settings, paths, clock, demo=options.demo),
         track=track,
         signal=sources,
         network=network,
-        calibrate=make_calibrate(session, load_again, paths, environ={} if options.demo else None, flags=flags),
+        calibrate=make_calibrate(session, load_again, paths, environ=environ, flags=flags),
         horizon=ConfigHorizon(paths, settings, load_again),
         lessons=MapLessons(load_again, paths, thrown_away=options.demo and options.config is None),
         clock_check=make_check(clock, paths),

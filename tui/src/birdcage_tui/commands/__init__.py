@@ -9,7 +9,7 @@ from birdcage_tui.commands.calibrate import CALIBRATE
 from birdcage_tui.commands.cards import CARDS
 from birdcage_tui.commands.console import CONSOLE
 from birdcage_tui.commands.control import CONTROL
-from birdcage_tui.commands.everywhere import APP, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
+from birdcage_tui.commands.everywhere import APP, DISHES, MOTION, PAGE_COMMANDS, PAGES, SAFETY, SEARCH
 from birdcage_tui.commands.horizon import HORIZON
 from birdcage_tui.commands.jog import JOG
 from birdcage_tui.commands.network import NETWORK
@@ -28,7 +28,7 @@ __all__ = ["BY_NAME", "COMMANDS", "KEYS", "PAGES", "Command", "for_key", "in_for
 
 COMMANDS: tuple[Command, ...] = (
     *SAFETY, *JOG, *CONTROL, *HORIZON, *TRACK, *NETWORK, *CARDS, *SIGNAL, *SKY_MAP, *RECEIVER, *PASSES, *POCKET,
-    *CONSOLE, *CALIBRATE, *SETUP, *SYSTEM, *MOTION, *RESUME, *SEARCH, *APP, *PAGE_COMMANDS,
+    *CONSOLE, *CALIBRATE, *SETUP, *SYSTEM, *MOTION, *RESUME, *SEARCH, *APP, *DISHES, *PAGE_COMMANDS,
 )  # fmt: skip
 BY_NAME = {command.name: command for command in COMMANDS}
 KEYS: dict[str, bool] = {

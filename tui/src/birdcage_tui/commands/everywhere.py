@@ -25,6 +25,11 @@ def can_end_search(context: CommandContext) -> str | None:
     return None
 
 
+def can_show_other(context: CommandContext) -> str | None:
+    """Return why no other dish can be shown."""
+    return None if context.several else "There is one dish. `birdcage-tui --also FILE` drives a second one."
+
+
 PAGES = (
     ("dashboard", "Dashboard", "Position, motion, what STOP can do, what to do next."),
     ("control", "Control", "Move the dish by hand, go to presets, track a pass."),
@@ -140,6 +145,21 @@ APP = (
         priority=True,
     ),
 )
+
+DISHES = (
+    Command(
+        "other-dish",
+        ("O",),
+        "O",
+        "Other dish",
+        "Show the other dish on these pages. Nothing stops, and nothing ends.",
+        "App",
+        can_show_other,
+        footer="other dish",
+        where=("dishes",),
+    ),
+)
+"""Where the app has several; Space stops all of them."""
 
 PAGE_COMMANDS = tuple(
     Command(f"page-{name}", (f"f{number}", str(number % 10)), str(number % 10), title, text, "Pages")

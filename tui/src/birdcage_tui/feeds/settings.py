@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
@@ -107,3 +107,11 @@ class AppOptions:
     """Writes latitude, longitude, height in metres and name of the dish's place; None: nowhere. ConfigError."""
     first_page: str = "dashboard"
     """The page that the app opens with."""
+
+    def like(self, other: AppOptions) -> AppOptions:
+        """Return these with what is the app's and not the dish's taken from `other`."""
+        return replace(
+            self, theme=other.theme, keep_theme=other.keep_theme, map_colours=other.map_colours,
+            keep_map_colours=other.keep_map_colours, glyphs=other.glyphs, cell_aspect=other.cell_aspect,
+            cell_aspect_set=other.cell_aspect_set, update_hz=other.update_hz,
+        )  # fmt: skip

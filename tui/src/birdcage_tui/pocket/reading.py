@@ -96,7 +96,7 @@ class PocketReading(Pane):
             y += 1
         cable_y = cells.height - 1
         if self.cramped and not wrong and y < cells.height:
-            cells.put(1, cable_y, "Keys need 40x12. Space stops."[: cells.width - 2], "warn")
+            cells.put(1, cable_y, f"Keys need 40x{12 + len(view.others)}. Space stops."[: cells.width - 2], "warn")
         elif y < cells.height:
             cable_gauge(cells, cable_y, view)
         if not wrong and y < cable_y:

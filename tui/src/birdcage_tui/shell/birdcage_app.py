@@ -2,6 +2,7 @@
 
 Its parts know one thing each:
 
+- `dish_app`: which dish all is about; `dishes`: those of the app; `one_dish`: what is each one's own.
 - `frame_feeds`: where a frame's data come from; `frame_pacer`: when one is drawn; `appearance`: how it looks.
 - `page_stage`: which page is seen, and what the station reads for it.
 - `key_queue`: what was typed; `deeds`: what a command does; `questions`: what is asked before that.
@@ -16,10 +17,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from birdcage.station.events import Event
 from birdcage.station.requests import Goto, Request
 from textual import events, on
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.binding import Binding
 from textual.containers import Container
 from textual.driver import Driver
@@ -28,7 +28,6 @@ from textual.screen import Screen
 from textual.widgets import ContentSwitcher, Input, TextArea
 
 from birdcage_tui import commands
-from birdcage_tui.console.tap import WireTap
 from birdcage_tui.drawing.screen_size import size_classes
 from birdcage_tui.drawing.terminal_cells import aspect_of
 from birdcage_tui.feeds.settings import AppOptions
@@ -36,23 +35,21 @@ from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.pages.dashboard import DashboardPage
 from birdcage_tui.shell.appearance import Appearance, Ground
 from birdcage_tui.shell.deeds import Deeds
+from birdcage_tui.shell.dish_app import DishApp
 from birdcage_tui.shell.ending import Ending
-from birdcage_tui.shell.frame_feeds import FrameFeeds
 from birdcage_tui.shell.frame_pacer import FramePacer
 from birdcage_tui.shell.key_queue import KeyQueue
-from birdcage_tui.shell.motions import Motions
 from birdcage_tui.shell.page_stage import PageStage
 from birdcage_tui.shell.questions import Questions
 from birdcage_tui.shell.start_objects import StartObjects
 from birdcage_tui.shell.stopping import driver_for
-from birdcage_tui.shell.tour import Tour
-from birdcage_tui.shown.event_words import event_words
 from birdcage_tui.shown.options import SitePlace
-from birdcage_tui.shown.view import YOU, View, may_move
+from birdcage_tui.shown.view import YOU, View
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.esc_field import EscField
 from birdcage_tui.widgets.footer import KeyBar, PageBar
-from birdcage_tui.widgets.messages import CommandChosen, SkyChanged, StationEvent
+from birdcage_tui.widgets.messages import CommandChosen
+from birdcage_tui.widgets.other_dish import OtherDishRow
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.palette import CommandProvider
 from birdcage_tui.widgets.pane import Pane
@@ -62,7 +59,7 @@ if TYPE_CHECKING:
     from birdcage.station.access import FaceSession
 
 
-class BirdcageApp(App[None]):
+class BirdcageApp(DishApp):
     """A ground station in a terminal."""
 
     TITLE = "birdcage"
@@ -75,32 +72,22 @@ class BirdcageApp(App[None]):
     ]
     """One for each key of the table: what it does depends on what has the focus."""
 
-    def __init__(self, session: FaceSession, settings: AppOptions | None = None) -> None:
+    def __init__(
+        self, session: FaceSession, settings: AppOptions | None = None, *also: tuple[FaceSession, AppOptions]
+    ) -> None:
+        """Show the dish of `session`; `also` are those that are driven beside it."""
         super().__init__()
-        self.settings = settings or AppOptions()
-        self.session, self.station, self.network = session, session.station, self.settings.network
-        self._appearance = Appearance(self, self.settings.theme, self.settings.glyphs)
-        self.frames = FramePacer(self, self.paint, 1.0 / self.settings.update_hz)
+        first = settings or AppOptions()
+        self._appearance = Appearance(self, first.theme, first.glyphs)
+        self.frames = FramePacer(self, self.paint, 1.0 / first.update_hz)
+        self.keys = KeyQueue(self, super().on_event, self.means_stop, self._stop, self._stopped)
+        self.take_dishes(((session, first), *also))
         self.stage = PageStage(self, self)
-        self.motions = Motions(self)
         self.questions = Questions(self, self)
         self.deeds = Deeds(self, self)
         self.ending = Ending(self, self)
-        self.tap = WireTap(self.station.is_steering, session.on_wire)
-        """What passes on the wire, from the first byte on; the console takes it out."""
-        self.feeds = feeds = FrameFeeds(
-            session, self.settings, self.soon, self.frames.changed,
-            news=self._news, show_sky=lambda sky: self.post_message(SkyChanged(sky)), say=self.say, bell=self.bell,
-        )  # fmt: skip
-        self.presets, self.horizon, self.maps, self.system = feeds.presets, feeds.horizon, feeds.maps, feeds.system
-        self.sky, self.track, self.signals, self.calibrate = feeds.sky, feeds.track, feeds.signals, feeds.calibrate
         self.aim: tuple[float, float] | None = None
         """Where the go-to line would lead, while one types into it."""
-        self._tour = Tour(self.track.set_autotrack)
-        if not self.settings.tour:
-            self._tour.end()
-        self._unsubscribe: Callable[[], None] | None = None
-        self.keys = KeyQueue(self, super().on_event, self.means_stop, self._stop, self._stopped)
         self._start_objects = StartObjects()
 
     def get_driver_class(self) -> type[Driver]:
@@ -118,6 +105,8 @@ class BirdcageApp(App[None]):
     def compose(self) -> ComposeResult:
         """Rows 1 and 2, the pages, the footer."""
         yield TopRow()
+        if self.dishes.several:
+            yield OtherDishRow()
         yield BadDayRow()
         with Container(id="stage"), ContentSwitcher(initial="page-dashboard", id="pages"):
             yield DashboardPage(id="page-dashboard")
@@ -133,38 +122,24 @@ class BirdcageApp(App[None]):
 
     def _begin(self) -> None:
         self._start_objects.freeze()
-        self.presets.load()
-        self.signals.begin()
-        self._unsubscribe = self.station.subscribe(self._tell)
-        if not self.session.via:  # else another program would have to pass it on, before anybody looks
-            self.tap.begin()
-        self.session.start()
-        self.feeds.begin(self.settings.place)
+        self.dishes.begin()
         self.stage.watch()
         if self.settings.first_page != "dashboard":
             self.show_page(self.settings.first_page)
         self.paint()
 
-    def _tell(self, event: Event) -> None:
-        """Pass an event on. Runs on the station's thread, and does nothing else there."""
-        self.post_message(StationEvent(event))
-
     def on_unmount(self) -> None:
         """Hear no more events, and let go of what was made."""
-        self.feeds.close()
-        if self._unsubscribe is not None:
-            self._unsubscribe()
+        self.dishes.close()
         self._start_objects.thaw()
-
-    def note(self, words: str) -> None:
-        """Show what a command did, and keep it with the time; nothing shows nothing."""
-        self.feeds.notes.tell(words, self.session.clock.utc())
 
     def view(self) -> View:
         """Return what one frame shows, now."""
         return self.feeds.frame(
             self.settings, self.stage, self.motions,
-            tour=self._tour.says, aim=self.aim, typing=bool(self.screen_stack) and isinstance(self.focused, Input),
+            tour=self.dishes.shown.tour.says, aim=self.aim,
+            typing=bool(self.screen_stack) and isinstance(self.focused, Input),
+            tag=self.dishes.shown.tag, others=self.dishes.glances(),
         )  # fmt: skip
 
     def paint(self) -> None:
@@ -176,7 +151,7 @@ class BirdcageApp(App[None]):
         with self.batch_update():
             for part in (
                 *(screen.query_one_optional(TopRow) for screen in self.screen_stack),
-                *(base.query_one_optional(kind) for kind in (BadDayRow, PageBar, KeyBar, GotoLine)),
+                *(base.query_one_optional(kind) for kind in (OtherDishRow, BadDayRow, PageBar, KeyBar, GotoLine)),
                 self.stage.open_sheet,
                 self.stage.seen(),
                 *(screen for screen in self.screen_stack if isinstance(screen, Dialog)),
@@ -185,40 +160,6 @@ class BirdcageApp(App[None]):
                 if part is not None:  # none is left when the app ends
                     part.show(view)
         self.frames.run(animated=view.animated)
-
-    def _rest(self) -> None:
-        """Do what a second asks for where no frame is due; a tour that is still to begin waits for no frame."""
-        if self._tour.running:
-            self._tick()
-        else:
-            self.feeds.keep(self.settings.place)
-
-    def _tick(self) -> None:
-        """Move the tour on and draw: ages and the time have changed."""
-        self._tour.step(self.view())
-        self.feeds.keep(self.settings.place)
-        self.frames.changed()
-
-    def _news(self) -> None:
-        """Draw what was told; a tour that is still to begin waits for no frame."""
-        self.feeds.link_book.hear(self.station.state.link)
-        if self._tour.running:
-            self._tour.step(self.view())
-        self.frames.changed()
-
-    @on(StationEvent)
-    def _hear(self, message: StationEvent) -> None:
-        event = message.event
-        if words := event_words(event, self.station.state):
-            self.note(words)
-        self.track.hear(event)
-        self._news()
-
-    @on(SkyChanged)
-    def _see(self, message: SkyChanged) -> None:
-        first, self.sky.now = self.sky.now is None, message.sky
-        if first or message.sky.searched != 1.0:
-            self.frames.changed()  # else the next frame is soon enough: one comes every second
 
     @on(events.Resize)
     def _find_aspect(self, event: events.Resize) -> None:
@@ -253,25 +194,20 @@ class BirdcageApp(App[None]):
         for name, holds in classes.items():
             screen.set_class(holds, name)
         self.set_class(classes["-tiny"], "-tiny")
-        await self.stage.fold(classes["-tiny"], watches=self._unsubscribe is not None)
+        await self.stage.fold(classes["-tiny"], watches=self.dishes.shown.has_begun)
         self.call_after_refresh(self.paint)
 
     def show_page(self, name: str, then: str | None = None) -> None:
         """Show a page, or slide the console over it; `then` is one of its commands, to be done there."""
         self.run_worker(self.stage.show(name, then), group="page", exclusive=False)
 
+    def show_other_dish(self) -> None:
+        """Show the next dish on the page that is seen now."""
+        self.run_worker(self.stage.change_dish(self.take_next), group="page", exclusive=False)
+
     def soon(self, work: Callable[[], None]) -> None:
         """Do something soon on the app's thread. Any thread; nothing happens once the app has ended."""
         self.call_later(work)
-
-    def say(self, words: str) -> None:
-        """Tell what was done, or why not, in one sentence."""
-        self.note(words)
-        self.paint()
-
-    def say_once(self, words: str) -> None:
-        """Say it, unless that was done in this run."""
-        self.feeds.notes.tell_once(words, self.session.clock.utc())
 
     @property
     def page(self) -> Page:
@@ -296,13 +232,11 @@ class BirdcageApp(App[None]):
         return event.key == "ctrl+c" or (event.key == "escape" and self.view_may_move())
 
     def _stop(self) -> None:
-        self.station.stop(YOU)
+        self.dishes.stop(YOU)
 
     def view_may_move(self) -> bool:
-        """Return whether anything moves or may move by itself. Any thread."""
-        if self._tour.running or self.motions.under_way:
-            return True
-        return may_move(self.station.state, self.track.now)
+        """Return whether any dish moves or may move by itself. Any thread."""
+        return self.dishes.may_move
 
     async def on_event(self, event: events.Event) -> None:
         """STOP comes before bindings, widgets and frames."""
@@ -316,9 +250,7 @@ class BirdcageApp(App[None]):
 
     def end_tour(self) -> None:
         """Let the demo do nothing by itself any more."""
-        if self._tour.running:
-            self.frames.changed()
-        self._tour.end()
+        self.dishes.end_tours()
 
     def action_key(self, key: str) -> None:
         """Do what the key means to what has the focus."""
@@ -348,7 +280,7 @@ class BirdcageApp(App[None]):
         for page in self.screen_stack[0].query(Page):
             page.place_changed()
         self.horizon.place_changed()
-        self.feeds.keep(self.settings.place)
+        self.dishes.keep()
 
     def begin_anew(self) -> None:
         """End, and begin again with the settings as they are then."""
@@ -383,9 +315,10 @@ class BirdcageApp(App[None]):
         """The mouse stops."""
         self.deeds.stop()
 
-    def on_bad_day_row_pressed(self) -> None:
-        """The mouse releases or acknowledges."""
-        self.deeds.release()
+    def on_bad_day_row_pressed(self, event: BadDayRow.Pressed) -> None:
+        """The mouse releases or acknowledges; the dish that the row told of, and no other."""
+        if event.tag == self.dishes.shown.tag:
+            self.deeds.release()
 
     def on_command_chosen(self, event: CommandChosen) -> None:
         """The mouse does what a key does."""

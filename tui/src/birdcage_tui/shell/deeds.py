@@ -52,21 +52,21 @@ class Deeds:
 
     def __init__(self, app: App[None], host: DeedHost) -> None:
         self._app, self._host = app, host
-        motions, questions = host.motions, host.questions
+        questions = host.questions
         self._deeds: dict[str, Callable[[], object]] = {
             **{f"page-{name}": partial(host.show_page, name) for name, _, _ in commands.PAGES},
             SETUP: self._show_setup,
-            **{name: partial(motions.jog, *steps) for name, steps in DIRECTIONS.items()},
-            **{name: partial(motions.jog_skew, steps) for name, steps in SKEW_DIRECTIONS.items()},
-            "step-up": partial(motions.change_step, 1),
-            "step-down": partial(motions.change_step, -1),
+            **{name: partial(self._jog, steps) for name, steps in DIRECTIONS.items()},
+            **{name: partial(self._jog_skew, steps) for name, steps in SKEW_DIRECTIONS.items()},
+            "step-up": partial(self._change_step, 1),
+            "step-down": partial(self._change_step, -1),
             "stop": self.stop,
             "release": self.release,
             "goto": self.open_goto,
             "skew": partial(self.open_goto, "skew "),
             "home": questions.home,
             "sync": questions.sync.ask,
-            "resume": motions.resume,
+            "resume": self._resume,
             "search": questions.end_search,
             "help": self._show_help,
             "jump": self._show_jump,
@@ -79,7 +79,9 @@ class Deeds:
         """What the app itself does for a command; a page does the others."""
 
     def do(self, name: str) -> None:
-        """Do the command, or say why not."""
+        """Do the command, or say why not; nothing between two dishes, where no page is seen."""
+        if self._host.stage.seen() is None:
+            return
         command = commands.BY_NAME[name]
         reason = command.refused(LiveContext(self._host.station.state, self._host))
         if reason is not None:
@@ -95,6 +97,20 @@ class Deeds:
             # Another page's: go there, and do it.
             self._host.show_page(command.page or command.where[0], then=name)
 
+    # The motions of the dish that is shown at that moment.
+
+    def _jog(self, steps: tuple[float, float]) -> None:
+        self._host.motions.jog(*steps)
+
+    def _jog_skew(self, steps: float) -> None:
+        self._host.motions.jog_skew(steps)
+
+    def _change_step(self, by: int) -> None:
+        self._host.motions.change_step(by)
+
+    def _resume(self) -> None:
+        self._host.motions.resume()
+
     def _show_setup(self) -> None:
         """Show the page; from the dashboard, with the cursor on the step that it says comes next."""
         step = setup_step(self._host.view()) if isinstance(self._host.page, DashboardPage) else None
@@ -105,13 +121,13 @@ class Deeds:
         self._app.screen_stack[0].query_one(GotoLine).open(text)
 
     def stop(self) -> None:
-        """STOP."""
-        self._host.station.stop(YOU)
+        """STOP, for every dish."""
+        self._host.dishes.stop(YOU)
         self._host.end_tour()
         self._host.say("STOP.")
 
     def release(self) -> None:
-        """Acknowledge a fault; with none, let go of HELD; with neither, accept the dish's own limits."""
+        """Acknowledge a fault; with none, let go of HELD; with neither, accept the dish's own limits. Of this dish."""
         state = self._host.station.state
         if state.fault is not None:
             self._host.ask(AcknowledgeFault(YOU))

@@ -7,23 +7,18 @@ from collections.abc import Callable
 from typing import Protocol
 
 from birdcage.base.signals import STATUS
-from birdcage.station.access import FaceSession, FaceStation
 from textual.app import App
 
-from birdcage_tui.feeds.sky_feed import SkyFeed
-from birdcage_tui.feeds.track_feed import TrackFeed
+from birdcage_tui.shell.dishes import Dishes
 from birdcage_tui.shell.key_queue import KeyQueue
-from birdcage_tui.shown.view import YOU, is_moving
+from birdcage_tui.shown.view import YOU
 
 
 class EndingHost(Protocol):
     """The app, seen from its end."""
 
-    station: FaceStation
-    session: FaceSession
+    dishes: Dishes
     keys: KeyQueue
-    sky: SkyFeed
-    track: TrackFeed
 
     def soon(self, work: Callable[[], None]) -> None:
         """Do something soon on the app's thread. Any thread."""
@@ -48,24 +43,18 @@ class Ending:
 
     def leave(self, by: str = YOU, status: int = 0) -> None:
         """STOP first if a dish of ours moves; give the terminal back."""
-        self._stop_what_moves(by)
+        self._host.dishes.leave(by)
         self._host.keys.close()
-        self._host.sky.close()
+        for dish in self._host.dishes.all:
+            dish.feeds.sky.close()
         self._app.exit(return_code=status)
-
-    def _stop_what_moves(self, by: str) -> None:
-        moving = is_moving(self._host.station.state)
-        # It waits for nothing. Told after STOP, the desk would take what is followed for ended, and not offer it again.
-        self._host.track.close()
-        if moving:
-            self._host.session.leave(by)
 
     def by_signal(self, number: int) -> None:
         """End as Ctrl+Q does. Any thread: STOP goes out from here, as the app's own thread may be stuck."""
         self.number = number
-        if number == signal.SIGINT and self._host.session.via and is_moving(self._host.station.state):
-            self._host.station.stop("Ctrl+C")  # a person's; what else ends this app leaves that station alone
-        self._stop_what_moves("signal")
+        if number == signal.SIGINT:
+            self._host.dishes.stop_elsewhere("Ctrl+C")  # a person's; what else ends this app leaves those alone
+        self._host.dishes.leave("signal")
         self._host.soon(self.leave_by_signal)
 
     def leave_by_signal(self) -> None:

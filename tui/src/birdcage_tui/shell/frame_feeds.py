@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 
 from birdcage.station.access import FaceSession
@@ -92,9 +92,18 @@ class FrameFeeds:
         )  # fmt: skip
         return view.late
 
+    def glance(self, settings: AppOptions, motions: Motions, *, tour: str, tag: str) -> View:
+        """Return what a row shows of this dish while another one's pages are seen."""
+        clock = self._session.clock
+        return View(
+            self._session.station.state, clock.monotonic(), clock.utc(), settings, tour=tour, watched=True,
+            asked=bool(motions.under_way), track=self.track.now, via=self._session.via,
+            detached=self._session.detached, tag=tag,
+        )  # fmt: skip
+
     def frame(
         self, settings: AppOptions, stage: PageStage, motions: Motions, *, tour: str, typing: bool,
-        aim: tuple[float, float] | None,
+        aim: tuple[float, float] | None, tag: str, others: Sequence[View],
     ) -> View:  # fmt: skip
         """Return what one frame shows, now; see `View` for what the shell itself gives to it."""
         clock, crash = self._session.clock, self._session.crash
@@ -141,4 +150,6 @@ class FrameFeeds:
             setup_steps=self.ready.steps,
             via=self._session.via,
             detached=self._session.detached,
+            tag=tag,
+            others=others,
         )

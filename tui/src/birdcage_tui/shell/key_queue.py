@@ -182,7 +182,7 @@ async def settled(app: App[None]) -> None:
         while isinstance(outward[-1], Widget) and outward[-1].parent is not None:
             outward.append(outward[-1].parent)
         # One that is closed does nothing any more, whatever its queue holds: waiting for it would be for ever.
-        taking = [pump for pump in (*outward, app) if await _idle(pump)]
+        taking = [pump for pump in (*outward, app) if await idle(pump)]
         while any(not worker.is_finished for worker in app.workers):
             await asyncio.sleep(LOOK_S)
         same = bool(app.screen_stack) and app.screen is screen and app.focused is focused
@@ -192,7 +192,7 @@ async def settled(app: App[None]) -> None:
         await asyncio.sleep(0.0)  # another lap gives the rest of the app its turn, and patience its end
 
 
-async def _idle(pump: MessagePump) -> bool:
+async def idle(pump: MessagePump) -> bool:
     """Wait until it has done what its queue holds now; return False at once for one that is closed."""
     done = asyncio.Event()
     if not pump.call_later(done.set):

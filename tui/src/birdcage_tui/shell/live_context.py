@@ -10,6 +10,7 @@ from birdcage.station.access import FaceSession
 from birdcage.station.state import StationState
 
 from birdcage_tui.feeds.app_host import AppHost
+from birdcage_tui.shell.dishes import Dishes
 from birdcage_tui.shell.motions import Motions
 from birdcage_tui.shell.page_stage import PageStage
 
@@ -25,6 +26,7 @@ class ContextHost(AppHost, Protocol):
     """The app, seen from what its commands are judged by."""
 
     session: FaceSession
+    dishes: Dishes
     motions: Motions
     stage: PageStage
 
@@ -75,6 +77,11 @@ class LiveContext:
     def sky(self) -> SkyPicture | None:
         """What is up, and which passes come."""
         return self._host.sky.now
+
+    @property
+    def several(self) -> bool:
+        """Whether the app drives several dishes."""
+        return self._host.dishes.several
 
     @property
     def has_map(self) -> bool:

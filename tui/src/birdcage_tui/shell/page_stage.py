@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Protocol
 
 from birdcage.station.requests import Unwatch, Watch
@@ -12,7 +13,10 @@ from textual.widgets import ContentSwitcher
 
 from birdcage_tui.console.console_host import ConsoleHost
 from birdcage_tui.feeds.signal_feed import SignalFeed
+from birdcage_tui.goto.goto_line import GotoLine
 from birdcage_tui.pages.register import make_page
+from birdcage_tui.shell.key_queue import idle
+from birdcage_tui.widgets.other_dish import OtherDishRow
 from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.scope import Scope
 
@@ -76,6 +80,7 @@ class PageStage:
         if sheet is not None and not self.folded:
             # The console lies over the page, whose keys hold only while something of it has the focus.
             outermost = [page, sheet] if page in chain else [sheet]
+        outermost.extend(self._app.screen_stack[0].query(OtherDishRow))
         return tuple(node for node in dict.fromkeys((*chain, *outermost)) if isinstance(node, Scope))
 
     def watch(self) -> None:
@@ -93,6 +98,38 @@ class PageStage:
             station.submit(Watch(wanted, features, page.RATE_HZ, agreed=page.agreed))
         self._watching, self._features = wanted, features
 
+    async def change_dish(self, take_next: Callable[[], None]) -> None:
+        """Show the next dish on the same page, which is made anew: no widget of one dish ever acts on another.
+
+        `take_next` has the app be about that dish. It is called when what the widgets had still to say has been heard.
+        """
+        async with self._turn:
+            screen, pages = self._app.screen_stack[0], self._pages
+            name = (pages.current or "page-dashboard").removeprefix("page-")
+            if len(self._app.screen_stack) > 1:
+                return  # a question about this dish came up meanwhile
+            screen.query_one(GotoLine).close()
+            screen.set_focus(None)
+            if self.sheet is not None:
+                self.sheet.close()
+                await self.sheet.remove()
+                self.sheet = None
+            if self._watching is not None:
+                self._host.station.submit(Unwatch(self._watching))
+            self._watching, self._features = None, frozenset()
+            pages.current = None
+            await pages.remove_children()
+            if self._pocket is not None:
+                await self._pocket.remove()
+                self._pocket = None
+            for pump in (*screen.query(GotoLine), screen, self._app):
+                await idle(pump)
+            take_next()
+            if self.folded:
+                await self._mount_pocket()
+            await self._page(name, None)
+            self._host.paint()
+
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""
         stack = self._app.screen_stack
@@ -104,15 +141,18 @@ class PageStage:
         """Below 80x24 the pocket view stands in for every page; once all of it is mounted, at its first use."""
         screen = self._app.screen_stack[0]
         if tiny and self._pocket is None:
-            from birdcage_tui.pages.pocket import PocketPage
-
-            self._pocket = PocketPage()
-            await screen.mount(self._pocket, before="#stage")
+            await self._mount_pocket()
         if tiny != self.folded:
             self.folded = tiny
             screen.set_focus(None)
             if watches:
                 self.watch()
+
+    async def _mount_pocket(self) -> None:
+        from birdcage_tui.pages.pocket import PocketPage
+
+        self._pocket = PocketPage()
+        await self._app.screen_stack[0].mount(self._pocket, before="#stage")
 
     async def show(self, name: str, then: str | None) -> None:
         """Show a page; `then` is one of its commands, to be done there."""

@@ -55,7 +55,8 @@ class SyncQuestion:
 
         def answered(values: Values | None) -> None:
             if values is not None:
-                self._tell(Sync(_angle(values[0]), _angle(values[1]) if values[1].strip() else None, YOU))
+                el_deg = _angle(values[1]) if values[1].strip() else None
+                self._tell(self._host.station, Sync(_angle(values[0]), el_deg, YOU))
 
         def check(values: Values) -> str:
             return _wrong(values, may_lack=measures)
@@ -64,21 +65,23 @@ class SyncQuestion:
             FieldsScreen("Tell it where it points", WORDS, fields, check, enter="Enter tells"), answered
         )
 
-    def _tell(self, request: Sync) -> None:
+    def _tell(self, station: FaceStation, request: Sync) -> None:
+        """Tell this dish; its answer may come when another one is shown."""
+
         def done(future: Future[object]) -> None:
             error = None if future.cancelled() else future.exception()
             if isinstance(error, ConfirmationNeeded):
-                self._host.soon(partial(self._confirm, request, str(error)))
+                self._host.soon(partial(self._confirm, station, request, str(error)))
                 return
             words = f"It was told: azimuth {request.az_deg:.2f}°." if error is None else str(error)
             self._host.soon(partial(self._host.say, words))
 
-        self._host.station.submit(request).add_done_callback(done)
+        station.submit(request).add_done_callback(done)
 
-    def _confirm(self, request: Sync, words: str) -> None:
+    def _confirm(self, station: FaceStation, request: Sync, words: str) -> None:
         def answered(agreed: bool | None) -> None:
             if agreed:
-                self._tell(replace(request, agreed=True))
+                self._tell(station, replace(request, agreed=True))
 
         self._app.push_screen(QuestionScreen("Tell it where it points", words, "tell it"), answered)
 

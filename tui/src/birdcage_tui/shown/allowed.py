@@ -62,6 +62,10 @@ class CommandContext(Protocol):
         """What is up, and which passes come; None before it was first worked out."""
 
     @property
+    def several(self) -> bool:
+        """Whether the app drives several dishes."""
+
+    @property
     def has_map(self) -> bool:
         """Whether a map of the sky is open."""
 

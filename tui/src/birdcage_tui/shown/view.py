@@ -159,6 +159,15 @@ class View:
     """The program that drives the dish: `birdcage station run (process 4711)`. Empty where this one does itself."""
     detached: bool = False
     """Whether that program is gone, and no other was found."""
+    tag: str = ""
+    """What tells this dish from the others of the app; empty where there is one."""
+    others: Sequence[View] = ()
+    """Those dishes, as far as a row shows them."""
+
+    @property
+    def several(self) -> bool:
+        """Whether the app drives several dishes."""
+        return bool(self.others)
 
     @property
     def has_map(self) -> bool:
@@ -243,14 +252,18 @@ class View:
     @property
     def animated(self) -> bool:
         """Whether frames are worth drawing between what the dish tells: a slew is foretold, following is looked at."""
+        if any(other.animated for other in self.others):
+            return True
         return self.moving and self.state.activity is not Activity.FOLLOWING
 
     @property
     def may_move(self) -> bool:
-        """Whether it moves, or may move by itself: then Esc stops first.
+        """Whether it, or another dish of the app, moves or may move by itself: then Esc stops first.
 
         What you or somebody at the console asked for has come to its end when nothing moves any more.
         """
+        if any(other.may_move for other in self.others):
+            return True
         return self.asked or bool(self.tour) or may_move(self.state, self.track)
 
     @property

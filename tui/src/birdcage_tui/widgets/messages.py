@@ -24,14 +24,16 @@ class CommandChosen(Message):
 class StationEvent(Message):
     """An event of the station. A newer position replaces one that still waits in the queue; nothing else does."""
 
-    def __init__(self, event: Event) -> None:
+    def __init__(self, event: Event, of: object = None) -> None:
+        """`of` is the dish of which it tells."""
         super().__init__()
-        self.event = event
+        self.event, self.of = event, of
 
     def can_replace(self, message: Message) -> bool:
         """Return whether this one makes `message` needless."""
         return (
             isinstance(message, StationEvent)
+            and message.of is self.of
             and isinstance(self.event, _TELEMETRY)
             and type(message.event) is type(self.event)
         )
@@ -40,10 +42,11 @@ class StationEvent(Message):
 class SkyChanged(Message):
     """Another moment of the sky. A newer one replaces one that still waits in the queue."""
 
-    def __init__(self, sky: SkyPicture) -> None:
+    def __init__(self, sky: SkyPicture, of: object = None) -> None:
+        """`of` is the dish for which it was worked out."""
         super().__init__()
-        self.sky = sky
+        self.sky, self.of = sky, of
 
     def can_replace(self, message: Message) -> bool:
         """Return whether this one makes `message` needless."""
-        return isinstance(message, SkyChanged)
+        return isinstance(message, SkyChanged) and message.of is self.of

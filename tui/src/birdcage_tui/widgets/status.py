@@ -25,6 +25,9 @@ NARROW = 68
 MUST = 5
 """Fields that share a smaller gap where they do not fit otherwise: link, az, el, activity, who has control."""
 
+ACTIVITY_FIELD = 3
+"""Which of them is the activity."""
+
 LEAST_NAME = 6
 """Columns that a longer name of who has control is cut to, at least."""
 
@@ -40,19 +43,9 @@ class StatusLine(Pane):
 
     def draw(self, cells: Cells, view: View) -> None:
         """Fill from the left by rank; what does not fit is left out, the time never."""
-        utc = f"{view.utc:%H:%M:%S}Z"
-        end = cells.width - len(utc) - 1
-        cells.put(end, 0, utc, "bar")
-        end -= 1
-        if view.state.demo:
-            end -= 6
-            cells.put(end, 0, " DEMO ", "target-row")
-        if view.via and cells.width >= NARROW:
-            words, ink = DETACHED if view.detached else ATTACHED
-            end -= len(words)
-            cells.put(end, 0, words, ink)
-        x = 1
-        fields = self._fields(view, wide=cells.width >= 110)
+        end = self.right(cells, view)
+        x = cells.put(1, 0, f"{view.tag} ", "bar") if view.tag else 1
+        fields = self.fields(view, wide=cells.width >= 110)
         whose = fields[MUST - 1]
         if cells.width < NARROW:
             # The big digits below say where it points; who has control stands nowhere else.
@@ -70,8 +63,24 @@ class StatusLine(Pane):
                 text = cut(text, end - x)
             x = cells.put(x, 0, text, ink) + gap
 
+    def right(self, cells: Cells, view: View) -> int:
+        """Write the time, and before it what must not be missed; return the column before that."""
+        utc = f"{view.utc:%H:%M:%S}Z"
+        end = cells.width - len(utc) - 1
+        cells.put(end, 0, utc, "bar")
+        end -= 1
+        if view.state.demo:
+            end -= 6
+            cells.put(end, 0, " DEMO ", "target-row")
+        if view.via and cells.width >= NARROW:
+            words, ink = DETACHED if view.detached else ATTACHED
+            end -= len(words)
+            cells.put(end, 0, words, ink)
+        return end
+
     @staticmethod
-    def _fields(view: View, *, wide: bool) -> list[tuple[str, str]]:
+    def fields(view: View, *, wide: bool) -> list[tuple[str, str]]:
+        """Return what it says, by rank, each with its ink."""
         state, position = view.state, view.state.position
         glyph, _ = LINK[state.link.state]
         heard = state.link.last_reply
@@ -199,7 +208,11 @@ class BadDayRow(Pane):
         """Enter's mouse target: release, acknowledge or accept."""
         event.stop()
         if self.view is not None and can_release(self.view) is None:
-            self.post_message(self.Pressed())
+            self.post_message(self.Pressed(self.view.tag))
 
     class Pressed(Message):
-        """A person pressed the row."""
+        """A person pressed the row while it told of the dish with this tag."""
+
+        def __init__(self, tag: str) -> None:
+            super().__init__()
+            self.tag = tag
