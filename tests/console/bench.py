@@ -12,7 +12,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.link.port import Port
-from birdcage.protocol.hal import HAL205Protocol
+from birdcage.protocol.hal import HAL000Protocol, HAL205Protocol
 from birdcage.sim.wire import PASS, Byte
 from hypothesis import strategies as st
 
@@ -30,9 +30,11 @@ LEARNT = ConsoleDialect(
     root_hints=frozenset({"nvs", "reboot"}),
     submenu_marks={"mot": frozenset("ah"), "dvb": frozenset({"agc"}), "nvs": frozenset("de")},
 )
-HAL = HAL205Protocol.dialect
-HAL_NAMES = {"mot": "motor", "dvb": "ngsearch", "agc": "?"}
-"""What the drawn steps mean on a Trav'ler."""
+TRAVLERS = {
+    "hal205": {"dialect": HAL205Protocol.dialect, "names": {"mot": "motor", "dvb": "ngsearch", "agc": "?"}},
+    "hal000": {"dialect": HAL000Protocol.dialect, "names": {"dvb": "os", "agc": "?"}},
+}
+"""The Trav'lers, and what the drawn steps mean on each."""
 
 
 class NudgingClock(VirtualClock):

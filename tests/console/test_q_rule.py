@@ -75,7 +75,10 @@ NESTED = {
 }
 for _script in NESTED.values():
     _script.update(make=nested.Dish, names=NESTED_NAMES)
-LEARNT_SIMULATORS = [f"hal205?root_q=kill&prompts={prompts}" for prompts in ("named", "alike")]
+LEARNT_SIMULATORS = {
+    f"{firmware}?root_q=kill&prompts={prompts}": kind
+    for firmware, kind in bench.TRAVLERS.items() for prompts in ("named", "alike")
+}  # fmt: skip
 """Where prompts are learnt: decision 0010."""
 
 
@@ -120,17 +123,14 @@ def test_no_q_reaches_the_root_below_which_menus_are_two_deep(script, steps, to_
 @BRIEF
 @drawn
 def test_no_q_reaches_the_root_of_a_simulated_travler(address, steps, to_dish, to_host):
-    drive_simulator(steps, to_dish, to_host, address, dialect=bench.HAL, names=bench.HAL_NAMES)
+    drive_simulator(steps, to_dish, to_host, address, **LEARNT_SIMULATORS[address])
 
 
 DISHES = {
     "g2": drive_simulator,
     "scripted": drive_scripted,
     **{f"scripted {name}": partial(drive_scripted, **script) for name, script in (SCRIPTS | NESTED).items()},
-    **{
-        address: partial(drive_simulator, address=address, dialect=bench.HAL, names=bench.HAL_NAMES)
-        for address in LEARNT_SIMULATORS
-    },
+    **{address: partial(drive_simulator, address=address, **kind) for address, kind in LEARNT_SIMULATORS.items()},
 }
 PARTS, SHARE = 4, 4_200
 """Every dish goes through so many parts of so many exchanges at least: each part ends well within a minute."""

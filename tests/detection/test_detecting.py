@@ -69,6 +69,7 @@ class Foreign:
 @pytest.mark.parametrize(("address", "clue"), [
     ("g2?seed=1", "prompt `TRK>` at 115200 baud"), ("hal205?seed=1", "`?` lists `motor`, `ngsearch`"),
     ("hal205?seed=1&prompts=alike", "`?` lists `motor`, `ngsearch`"),
+    ("hal000?seed=1", "`?` lists `mot`, `nvs`"), ("hal000?seed=1&prompts=alike", "`?` lists `mot`, `nvs`"),
 ])  # fmt: skip
 def test_the_dish_that_is_there_is_found_by_enter_and_a_question_mark(address, clue) -> None:
     desk, told = Desk(address), []
@@ -76,7 +77,7 @@ def test_the_dish_that_is_there_is_found_by_enter_and_a_question_mark(address, c
     found = desk.detect(tell=told.append)
     firmware = address.partition("?")[0]
     assert (found.firmware, found.candidates) == (firmware, (firmware,))
-    assert found.baud == desk.opened[-1] == {"g2": 115200, "hal205": 57600}[firmware]
+    assert found.baud == desk.opened[-1] == {"g2": 115200, "hal205": 57600, "hal000": 57600}[firmware]
     assert clue in found.sentence
     assert set(desk.lines()) <= {"", "?"}, "nothing but Enter and `?`"
     assert not desk.device.truth().moving
@@ -85,7 +86,7 @@ def test_the_dish_that_is_there_is_found_by_enter_and_a_question_mark(address, c
 
 
 @pytest.mark.parametrize(("firmware", "menu"), [
-    ("g2", "mot"), ("g2", "dvb"), ("g2", "os"), ("g2", "step"), ("g2", "adc"), ("hal205", "motor"),
+    ("g2", "mot"), ("g2", "dvb"), ("g2", "os"), ("g2", "step"), ("g2", "adc"),
 ])  # fmt: skip
 @pytest.mark.parametrize("options", ["", "&echo=0"])
 def test_a_dish_that_was_left_in_a_submenu_is_found_and_stays_there(firmware, menu, options) -> None:
@@ -107,6 +108,24 @@ def test_what_a_g2_and_its_kin_all_show_names_all_of_them(firmware, menu, may_be
     assert (found.firmware, sorted(found.candidates), found.baud) == (None, may_be, 115200)
     assert f"at 115200 baud ({', '.join(may_be)})" in found.sentence
     assert set(desk.lines()) <= {"", "?"}
+
+
+@pytest.mark.parametrize(("firmware", "menu"), [("hal205", "motor"), ("hal000", "mot")])
+def test_trav_lers_left_among_their_motors_cannot_be_told_apart_and_both_are_named(firmware, menu) -> None:
+    desk = Desk(f"{firmware}?seed=1")
+    desk.device.shell.menu = menu
+    found = desk.detect()
+    assert (found.firmware, set(found.candidates)) == (None, {"hal000", "hal205"})
+    assert "may be any of hal000, hal205" in found.sentence
+    assert set(desk.lines()) <= {"", "?"}
+    assert desk.device.shell.menu == menu
+
+
+def test_an_older_trav_ler_that_starts_may_be_either() -> None:
+    desk = Desk("hal000?seed=1&boot=1&boot_home_s=8&search_finds=0")
+    seen = {desk.detect().candidates for _ in range(3)}
+    assert ("hal000", "hal205") in seen or ("hal000",) in seen
+    assert all("g2" not in each for each in seen)
 
 
 def test_a_g2_that_moves_goes_on() -> None:
@@ -202,10 +221,13 @@ def finding(baud=115200, saw=Saw.PROMPT, prompt="", listed="", text="") -> BaudF
     (finding(prompt="TRK>", listed="motor ngsearch nvs q"), "hal205"),
     (finding(57600, prompt="TRK>", listed="motor ngsearch"), "hal205"),
     (finding(57600, prompt="odd>", listed="a3981 dvb mot os"), "g2"),
-    (finding(57600, prompt="odd>", listed="mot nvs os stow q"), None),
-    (finding(57600, prompt="odd>", listed="odu q"), None), (finding(57600, prompt="odd>", listed="a g q"), "hal205"),
+    (finding(57600, prompt="odd>", listed="mot nvs os stow q"), "hal000"),
+    (finding(115200, prompt="odd>", listed="mot nvs os stow q"), None),
+    (finding(57600, prompt="odd>", listed="mot nvs os a3981 q"), None),
+    (finding(57600, prompt="odd>", listed="odu q"), None), (finding(57600, prompt="odd>", listed="a g q"), None),
     (finding(57600, prompt="odd>", listed="a g azscan q"), "g2"), (finding(prompt="GO>", listed="azangle help"), None),
-    (finding(saw=Saw.TEXT, text="Ant ID - 12-IN G2"), "g2"), (finding(57600, Saw.TEXT, text="Loc: NoGPS"), "hal205"),
+    (finding(saw=Saw.TEXT, text="Ant ID - 12-IN G2"), "g2"), (finding(57600, Saw.TEXT, text="Loc: NoGPS"), None),
+    (finding(57600, Saw.TEXT, text="No LNB Voltage"), "hal205"),
     (finding(saw=Saw.TEXT, text="Boot Complete"), None), (finding(57600, Saw.TEXT, text="Bootloader v2"), None),
     (finding(57600, Saw.TEXT, text="EL calibrating"), None), (finding(saw=Saw.TEXT, text="NoGPS"), None),
     (finding(57600, Saw.GARBAGE), None), (finding(57600, Saw.ECHO), None), (finding(saw=Saw.SILENCE), None),
@@ -221,7 +243,7 @@ def test_on_a_server_whose_rate_is_its_own_the_prompt_alone_counts() -> None:
 def test_two_that_cannot_be_told_apart_are_both_named() -> None:
     odd = Foreign(b"", {b"\r": b"\r\nMOT>", b"?\r": b"?\r\na\r\ng\r\nq\r\nMOT>"})
     found = detect_firmware("socket://here:1", VirtualClock(), open_port=lambda _port, _baud: odd)
-    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "g2plus", "hal205"])
+    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "g2plus", "hal000", "hal205"])
     assert "may be any of" in found.sentence
     assert "Say which with --firmware." in found.sentence
 

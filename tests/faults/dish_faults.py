@@ -52,7 +52,7 @@ def power_cycle(stage: Stage) -> None:
 
 def refuse(stage: Stage) -> None:
     """Have the firmware refuse every motion."""
-    menu = stage.device.shell._menus["mot" if stage.dialect == "g2" else "motor"]
+    menu = stage.device.shell._menus[stage.motor_menu]
     ran = menu.run
 
     def run(words):
@@ -65,7 +65,7 @@ def refuse(stage: Stage) -> None:
 
 
 def obey(stage: Stage) -> None:
-    del stage.device.shell._menus["mot" if stage.dialect == "g2" else "motor"].run
+    del stage.device.shell._menus[stage.motor_menu].run
 
 
 def wander(stage: Stage) -> None:
@@ -91,7 +91,7 @@ DISH_FAULTS = (
     Fault("stall az", "Azimuth is blocked", blocks(0), frees(0), expect=STALLED, lasts_s=LONG),
     Fault("stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s=LONG),
     Fault(
-        "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew, dialects=("hal205",),
+        "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew, dialects=("hal205", "hal000"),
         expect={MOVING: Expect(fault="stall", held="fault", motion="stall", stop="nothing")},
     ),
     Fault(
@@ -102,6 +102,7 @@ DISH_FAULTS = (
         expect={
             MOVING: Expect(motion="not_taken", stop="nothing|after a look|at once"),
             "hal205 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
+            "hal000 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
         },
     ),
     Fault(

@@ -11,13 +11,13 @@ from birdcage.station.requests import Goto, TurnSkew
 if TYPE_CHECKING:
     from .stage import Stage
 
-DIALECTS = ("g2", "hal205")
+DIALECTS = ("g2", "hal205", "hal000")
 REST, MOVING = "at rest", "in mid-move"
 ANY = "at once|after a look|nothing"
 """Where nothing is known to move, STOP may have nothing to send, and looks."""
 
-START = {"g2": (90.0, 25.0), "hal205": (90.0, 25.0)}
-FAR = {"g2": (230.0, 55.0), "hal205": (230.0, 55.0)}
+START = dict.fromkeys(DIALECTS, (90.0, 25.0))
+FAR = dict.fromkeys(DIALECTS, (230.0, 55.0))
 """Where the move that the fault meets begins, and where it goes: both axes, for ten seconds and more."""
 
 

@@ -24,6 +24,7 @@ STEP_S = 0.1
 ADDRESSES = {
     "g2": "g2?seed=1&az=-180&az_speed=10&el_speed=3",
     "hal205": "hal205?seed=1&boot_home_s=20&search_finds=0",
+    "hal000": "hal000?seed=1&boot_home_s=20&search_finds=0",
 }
 """The dialects of the matrix, and a dish of each whose slews are long enough for something to happen in them."""
 
@@ -125,6 +126,11 @@ class Stage:
                 self.stopping = False
 
         protocol.interject = interjecting  # type: ignore[method-assign]
+
+    @property
+    def motor_menu(self) -> str:
+        """Where the dish takes moves."""
+        return self.station._antenna.rotator.protocol.motor_menu
 
     @property
     def state(self):

@@ -126,7 +126,7 @@ GONE = {REST: Expect("lost", held="link"), MOVING: Expect("lost", held="link", m
 WIRE_FAULTS = (
     Fault(
         "silence", "Silence: no byte gets through", both(silent=True), both(silent=False),
-        expect={**SILENT, "hal205 in mid-move": Expect(motion="arrives")},
+        expect={**SILENT, **{f"{each} in mid-move": Expect(motion="arrives") for each in ("hal205", "hal000")}},
     ),
     Fault("noise", "Garbage between answers", noise, again=noise, expect=PATCHY),
     Fault("garbled", "Garbage inside every answer", noise_in_numbers, no_plan, expect=SILENT),

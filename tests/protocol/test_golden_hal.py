@@ -2,106 +2,15 @@
 
 from __future__ import annotations
 
-import itertools
-import math
-
 import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.protocol import HAL205Protocol
 from birdcage.rotator.values import Position
 
-HELP = {
-    "root": ["motor", "ngsearch", "nvs", "os", "stow", "reboot", "q"],
-    "motor": ["a", "g", "q"],
-    "ngsearch": ["s", "q"],
-    "nvs": ["d", "e", "s", "q"],
-}
-PROMPTS = {
-    "named": {"root": "HAL>", "motor": "MOT>", "ngsearch": "NGS>", "nvs": "NVS>"},
-    "alike": dict.fromkeys(HELP, ">"),
-}
-LAYOUTS = {
-    "lines": "AZ =   8.34\nEL =  34.33\nSK =   0.00\nWrap position: 455\n",
-    "line": "AZ = 8.34 EL = 34.33 SK = 0.00\n",
-}
+from .hal_transcript import WAYS, Transcript, named, talk
 
 
-class Transcript:
-    """Answers with what `docs/reference/travler.md` shows, in one of the ways that it leaves open. Also the port."""
-
-    name, demo = "transcript", True
-
-    def __init__(self, prompts: str, layout: str, line_end: str) -> None:
-        self.prompts, self.position, self.line_end = PROMPTS[prompts], LAYOUTS[layout], line_end
-        self.menu = "root"
-        self.out = b""
-        self.sent = b""
-        self._line = b""
-        self.say("HAL 2.05.003\nAZ calibrating\nNo LNB Voltage\n")
-
-    def say(self, text: str) -> None:
-        self.out += text.replace("\n", self.line_end).encode()
-
-    def write(self, data: bytes) -> None:
-        self.sent += data
-        for byte in data:
-            if byte != 0x0D:
-                self._line += bytes([byte])
-                self.out += bytes([byte])
-                continue
-            line, self._line = self._line.decode(), b""
-            self.say("\n")
-            self._answer(line)
-            self.say(self.prompts[self.menu])
-
-    def _answer(self, line: str) -> None:
-        if line == "?":
-            self.say("".join(f"{name}\n" for name in HELP[self.menu]))
-        elif line == "q":
-            assert self.menu != "root", "a q at the root may end the shell"
-            self.menu = "root"
-        elif self.menu == "root" and line in HELP:
-            self.menu = line
-        elif line == "a":
-            self.say(self.position)
-        elif line.strip() and line.split(maxsplit=1)[0] not in HELP[self.menu]:
-            self.say("Invalid command\n")
-
-    def pending(self) -> bool:
-        return bool(self.out)
-
-    def read(self) -> bytes:
-        data, self.out = self.out, b""
-        return data
-
-    def next_event(self) -> float:
-        return math.inf
-
-    def fileno(self) -> None:
-        return None
-
-    def discard(self) -> None:
-        self.out = b""
-
-    def close(self) -> None:
-        pass
-
-    @property
-    def lines(self) -> list[str]:
-        """What was sent, without what only asks: bare Enters, marks of blanks, and `?`."""
-        return [line for line in self.sent.decode().split("\r")[:-1] if line.strip() not in ("", "?")]
-
-
-def talk(sent: bytes) -> list[str]:
-    """What was said, line by line; a question that is asked again at once, to be sure, counts once."""
-    assert sent.endswith(b"\r")
-    return [line for line, _ in itertools.groupby(sent.decode().split("\r")[:-1])]
-
-
-WAYS = list(itertools.product(PROMPTS, LAYOUTS, ("\n", "\r\n")))
-
-
-@pytest.fixture(params=WAYS, ids=lambda way: f"{way[0]}-{way[1]}-{'crlf' if len(way[2]) > 1 else 'lf'}")
+@pytest.fixture(params=WAYS, ids=named)
 def dish(request):
     return Transcript(*request.param)
 

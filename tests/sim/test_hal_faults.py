@@ -6,7 +6,7 @@ import pytest
 from birdcage.base.clock import VirtualClock
 from birdcage.sim.control import obey
 from birdcage.sim.hal.knobs import HalSettings
-from birdcage.sim.port import firmware_names, open_device
+from birdcage.sim.port import open_device
 from birdcage.sim.settings import option_names
 
 
@@ -129,7 +129,7 @@ def test_a_deadlocked_shell_leaves_the_motors_to_their_queue(motor):
     assert (truth.az_deg, truth.el_deg) == pytest.approx((200.0, 60.0))
 
 
-@pytest.mark.parametrize("firmware", list(firmware_names()))
+@pytest.mark.parametrize("firmware", ["carryout", "g2", "hal000", "hal205"])
 class TestAll:
     """What the control port does to any of them."""
 
@@ -175,7 +175,7 @@ class TestAll:
         for what in ("stall", "wander"):
             with pytest.raises(ValueError, match=r"axis is 0 \(azimuth\) or 1"):
                 obey(device, {"do": what, "axis": 3})
-        if firmware == "hal205":
+        if firmware.startswith("hal"):
             obey(device, {"do": "stall", "axis": 2})
             assert device.truth().stalled == ("sk",)
             assert obey(device, {"do": "truth"})["truth"]["skew_deg"] == 90.0

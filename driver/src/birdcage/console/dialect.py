@@ -45,6 +45,9 @@ class ConsoleDialect:
     """The names of axes by what `axis` then holds, in capitals."""
     root_marks: frozenset[str] = frozenset()
     """Commands that only the root's help of this firmware lists: they tell it from others, and from its submenus."""
+    root_is_own: bool = True
+    """Whether no other console is known to list all `root_marks`. Else they tell the root, and no firmware for certain.
+    """
     root_hints: frozenset[str] = frozenset()
     """Further commands that no submenu's help lists: what lists one is no submenu, though it may be no root either."""
     submenu_marks: Mapping[str, frozenset[str]] = field(default_factory=dict)
@@ -55,6 +58,8 @@ class ConsoleDialect:
     """By submenu, a question that changes nothing, and what only this menu of this firmware answers."""
     stranger_marks: frozenset[str] = frozenset()
     """Commands in a menu's help that show, where no root mark stands beside them, that this is another firmware."""
+    foreign_marks: frozenset[str] = frozenset()
+    """Commands in a menu's help that show another firmware, whatever stands beside them."""
     stranger: str = ""
     """What to say to a person whose dish is another firmware; `{prompt}` is what it shows. Empty: nothing is said."""
 

@@ -60,10 +60,12 @@ class MenuPlaces:
         before, self._unsure = self._unsure, frozenset()
         dialect = self._dialect
         listed = commands(lines)
+        if self.is_stranger(lines):
+            return None
         if dialect.root_marks <= listed:
             self._listed[dialect.root] = words
             return dialect.root
-        if self.is_stranger(lines) or not self._is_submenu(words, listed) or not self._is_list(lines, listed):
+        if not self._is_submenu(words, listed) or not self._is_list(lines, listed):
             return None
         self._judged = words
         nearest = max(self._listed, key=lambda menu: _likeness(self._listed[menu], words), default=dialect.root)
@@ -78,8 +80,9 @@ class MenuPlaces:
 
     def is_stranger(self, lines: tuple[str, ...]) -> bool:
         """Return whether this help is plainly another firmware's."""
-        listed = commands(lines)
-        return bool(self._dialect.stranger_marks & listed) and not self._dialect.root_marks & listed
+        listed, dialect = commands(lines), self._dialect
+        unlike = bool(dialect.stranger_marks & listed) and not dialect.root_marks & listed
+        return unlike or bool(dialect.foreign_marks & listed)
 
     def entered(self, menu: str, token: str) -> None:
         """Take in that the submenu that was just judged is `menu`, and shows this prompt."""

@@ -62,10 +62,15 @@ def firmwares_of(clues: Sequence[Clue]) -> tuple[str, ...]:
 def _clues(
     finding: BaudFinding, protocol: type[FirmwareProtocol], at: str, *, own_rate: bool
 ) -> list[tuple[str, int]]:  # fmt: skip
-    dialect, found = protocol.dialect, []
+    dialect = protocol.dialect
+    found: list[tuple[str, int]] = []
+    if finding.listed & dialect.foreign_marks:
+        return found
     own = finding.listed & dialect.own_marks
     if dialect.root_marks and dialect.root_marks <= finding.listed:
-        found.append((f"`?` lists {_names(dialect.root_marks)}", CERTAIN))
+        if dialect.root_is_own or own_rate:
+            weight = CERTAIN if dialect.root_is_own else LIKELY
+            found.append((f"`?` lists {_names(dialect.root_marks)}", weight))
     elif own:
         found.append((f"`?` lists {_names(own)}", CERTAIN))
     elif own_rate:

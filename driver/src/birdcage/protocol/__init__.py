@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from birdcage.protocol.g2 import CarryoutG2Protocol
-    from birdcage.protocol.hal import HAL205Protocol
+    from birdcage.protocol.hal import HAL000Protocol, HAL205Protocol
     from birdcage.protocol.protocol import FirmwareProtocol
     from birdcage.protocol.registry import FIRMWARE_REGISTRY, get_protocol
     from birdcage.rotator.values import MOTOR_AZIMUTH, MOTOR_ELEVATION, Position, RssiReading
@@ -19,6 +19,7 @@ _HOMES = {
     "CarryoutG2Protocol": "birdcage.protocol.g2",
     "FIRMWARE_REGISTRY": "birdcage.protocol.registry",
     "FirmwareProtocol": "birdcage.protocol.protocol",
+    "HAL000Protocol": "birdcage.protocol.hal",
     "HAL205Protocol": "birdcage.protocol.hal",
     "MOTOR_AZIMUTH": "birdcage.rotator.values",
     "MOTOR_ELEVATION": "birdcage.rotator.values",
@@ -33,6 +34,7 @@ __all__ = [
     "MOTOR_ELEVATION",
     "CarryoutG2Protocol",
     "FirmwareProtocol",
+    "HAL000Protocol",
     "HAL205Protocol",
     "Position",
     "RssiReading",

@@ -143,8 +143,8 @@ DIALECT = ConsoleDialect(
     submenu_marks={"mot": frozenset({"a", "g", "h"})},
     own_marks=frozenset({"azscan", "azscanwxp", "elminmaxhome", "lnbdc"}),
     stranger=(
-        "This dish does not answer like a Carryout G2 (prompt `{prompt}`). Give --firmware hal205 if it is a Trav'ler. "
-        "Nothing was moved."
+        "This dish does not answer like a Carryout G2 (prompt `{prompt}`). `birdcage detect` names it: a Trav'ler is "
+        "--firmware hal205, an older one --firmware hal000. Nothing was moved."
     ),
     refusals=REFUSALS,
 )

@@ -1,44 +1,66 @@
-"""The commands of the Trav'ler with HAL 2.05, menu by menu (`docs/reference/travler.md`, *Prompts and menus*).
+"""The commands of the Trav'lers, menu by menu (`docs/reference/travler.md`, *Prompts and menus*).
 
 No full list is known.
 """
 
 from __future__ import annotations
 
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
 from birdcage.rotator.raw import CommandDoc
 
-_LISTED = {
-    "root": """
-        motor | | motors and position
-        ngsearch | | the dish's own TV search
-        nvs | | settings of the dish
-        reboot | | restarts the dish
-        stow | | folds the dish flat
-        ? | | lists commands
-        q | | may end the shell until a power cycle
-    """,
-    "motor": """
-        a | [<motor> <angle>] | position and cable; or sends one axis to an angle, after the move under way
-        g | <az> <el> <sk> | all axes at once; any key ends it
-        ? | | lists commands
-        q | | back to the root
-    """,
+_MENUS = {
+    "motor": "motors and position",
+    "mot": "motors and position",
+    "ngsearch": "the dish's own TV search",
+    "os": "tasks of the dish, its TV search among them",
+    NVS: "settings of the dish",
+}
+_ROOT = """
+    reboot | | restarts the dish
+    stow | | folds the dish flat
+    ? | | lists commands
+    q | | may end the shell until a power cycle
+"""
+_LEAVE = """
+    ? | | lists commands
+    q | | back to the root
+"""
+_MOTOR = """
+    a | [<motor> <angle>] | position and cable; or sends one axis to an angle, after the move under way
+    g | <az> <el> <sk> | all axes at once; any key ends it
+"""
+_NVS = """
+    d | [<index>] | shows settings
+    e | <index> [<value>] | reads or changes a setting
+    s | | saves all changes to flash
+"""
+_SEARCH = {
     "ngsearch": """
         s | | ends the TV search until the next power-up
-        ? | | lists commands
-        q | | back to the root
     """,
-    "nvs": """
-        d | [<index>] | shows settings
-        e | <index> [<value>] | reads or changes a setting
-        s | | saves all changes to flash
-        ? | | lists commands
-        q | | back to the root
+    "os": """
+        tasks | | lists the tasks that run
+        kill | <name> | ends a task; `kill Search` ends the TV search until the next power-up
     """,
 }
 
-COMMANDS = tuple(
-    CommandDoc(menu, name, f"{name} {arguments}".strip(), text)
-    for menu, block in _LISTED.items()
-    for name, arguments, text in ((part.strip() for part in line.split("|")) for line in block.strip().splitlines())
-)
+
+def commands_of(variant: HalVariant) -> tuple[CommandDoc, ...]:
+    """Return what is documented of one of the Trav'lers."""
+    root = "".join(f"{menu} | | {_MENUS[menu]}\n" for menu in variant.submenus) + _ROOT
+    listed = {
+        "root": root,
+        variant.motor: _MOTOR + _LEAVE,
+        variant.search: _SEARCH[variant.search] + _LEAVE,
+        NVS: _NVS + _LEAVE,
+    }
+    return tuple(
+        CommandDoc(menu, name, f"{name} {arguments}".strip(), text)
+        for menu, block in listed.items()
+        for line in block.splitlines()
+        if line.strip()
+        for name, arguments, text in [[part.strip() for part in line.split("|")]]
+    )
+
+
+COMMANDS_205, COMMANDS_000 = commands_of(HAL205), commands_of(HAL000)

@@ -1,4 +1,4 @@
-"""How the console of HAL 2.05 looks (`docs/reference/travler.md`, *Prompts and menus*): its prompts are learnt."""
+"""How the consoles of the Trav'lers look (`docs/reference/travler.md`, *Prompts and menus*): prompts are learnt."""
 
 from __future__ import annotations
 
@@ -7,37 +7,49 @@ import re
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
 
-MOTOR, SEARCH, NVS = "motor", "ngsearch", "nvs"
-
-DIALECT = ConsoleDialect(
-    troubles=MOTOR_TROUBLES,
-    axis_names=AXIS_NAMES,
-    prompts=dict.fromkeys(("root", MOTOR, SEARCH, NVS), UNKNOWN_TOKEN),
-    root_marks=frozenset({MOTOR, SEARCH}),
-    root_hints=frozenset({MOTOR, SEARCH, NVS, "mot", "os", "reboot", "stow"}),
-    submenu_marks={
-        MOTOR: frozenset({"a", "g"}),
-        SEARCH: frozenset({"s"}),
-        NVS: frozenset({"d", "e", "s"}),
-    },
-    proofs={MOTOR: ("a", re.compile(r"\bAZ\s*=\s"))},
-    stranger_marks=frozenset({"mot"}),
-    stranger=(
-        "This dish answers like a Carryout G2 or an older Trav'ler (prompt `{prompt}`, menu `mot`), not like HAL 2.05. "
-        "Give --firmware g2 if it is a Carryout G2. Nothing was moved."
+_MARKS = {"s": frozenset({"s"}), "kill Search": frozenset({"tasks", "kill"})}
+"""What the help of the menu lists in which the TV search is ended, by the line that ends it."""
+_REFUSALS = (
+    (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
+    (
+        re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
+        Reason.BAD_PARAMETER,
     ),
-    # No source has the texts of this firmware, but for its stalls (`docs/reference/travler.md`, *Faults*). Words, then.
-    refusals=(
-        (re.compile(r"\b(invalid|unknown|unrecognized|bad) command\b", re.IGNORECASE), Reason.UNKNOWN_COMMAND),
-        (
-            re.compile(r"\b(invalid|bad|illegal)\b.*\b(parameter|argument|value|motor|angle)\b", re.IGNORECASE),
-            Reason.BAD_PARAMETER,
-        ),
-        (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
-        (
-            re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
-            Reason.FAILED,
-        ),
+    (re.compile(r"\b(out of range|outside|limit exceeded)\b", re.IGNORECASE), Reason.BAD_PARAMETER),
+    (
+        re.compile(r"^\s*(error|failed)\b|\bSTALLED\b|\bHome Failure\b|\bnot (calibrated|homed)\b", re.IGNORECASE),
+        Reason.FAILED,
     ),
 )
+"""No source has the texts of these firmwares, but for their stalls (`docs/reference/travler.md`, *Faults*): words."""
+
+
+def dialect_of(variant: HalVariant) -> ConsoleDialect:
+    """Return the console of one of the Trav'lers."""
+    return ConsoleDialect(
+        troubles=MOTOR_TROUBLES,
+        axis_names=AXIS_NAMES,
+        prompts=dict.fromkeys(("root", *variant.submenus), UNKNOWN_TOKEN),
+        root_marks=variant.root_marks,
+        root_is_own=variant.root_is_own,
+        root_hints=frozenset({*variant.submenus, "motor", "mot", "os", "reboot", "stow"}),
+        submenu_marks={
+            variant.motor: frozenset({"a", "g"}),
+            variant.search: _MARKS[variant.end_search],
+            NVS: frozenset({"d", "e", "s"}),
+        },
+        proofs={variant.motor: ("a", re.compile(r"\bAZ\s*=\s"))},
+        stranger_marks=variant.unlike,
+        foreign_marks=variant.foreign,
+        stranger=(
+            "This dish answers like another firmware (prompt `{prompt}`), not like "
+            f"{variant.label}. `birdcage detect` names it: a Carryout G2 is --firmware g2, a Trav'ler with HAL 0.0.00 "
+            "hal000, one with HAL 2.05 hal205. Nothing was moved."
+        ),
+        refusals=_REFUSALS,
+    )
+
+
+DIALECT_205, DIALECT_000 = dialect_of(HAL205), dialect_of(HAL000)

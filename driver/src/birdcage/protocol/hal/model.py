@@ -1,10 +1,12 @@
-"""The Winegard Trav'ler with HAL 2.05.003 as data (`docs/reference/travler.md`)."""
+"""The Winegard Trav'lers as data (`docs/reference/travler.md`): one of them, and in what the others differ."""
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
-from birdcage.protocol.hal.features import FEATURES, SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.hal.own_settings import KNOWN
 from birdcage.protocol.nvs import row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
@@ -82,7 +84,7 @@ TRAVLER = Facts(
     reflector=REFLECTOR,
     handling=HANDLING,
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
-    features=FEATURES.features,
+    features=FEATURES_205.features,
     has_own_settings=True,
     settings_known=KNOWN,
     settings_name="nvs",
@@ -115,3 +117,6 @@ Its cable ends "usually" at 360 or 455 degrees, changes its turn by itself, and 
 unknown. Its boot is as long as the
 longest of the family (10 to 15 minutes with a search).
 """
+
+OLDER_TRAVLER = replace(TRAVLER, name="older Trav'ler", firmware="hal000", features=FEATURES_000.features)
+"""The same dish with HAL 0.0.00: what its papers measured and warn of was told of this one."""

@@ -11,8 +11,8 @@ from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.console.session import Console
 from birdcage.protocol.hal.answers import parse_setting
-from birdcage.protocol.hal.dialect import NVS
 from birdcage.protocol.hal.features import SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.variant import NVS
 from birdcage.rotator.feature import Range
 from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
 from birdcage.rotator.setting_values import same_value

@@ -1,4 +1,4 @@
-"""Winegard Trav'ler, firmware HAL 2.05.003 (`docs/reference/travler.md`)."""
+"""Winegard Trav'lers, firmwares HAL 2.05.003 and 0.0.00 (`docs/reference/travler.md`): one class, a table of each."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
-from birdcage.protocol.hal.commands import COMMANDS
-from birdcage.protocol.hal.dialect import DIALECT, MOTOR, NVS, SEARCH
-from birdcage.protocol.hal.features import FEATURES, LOWEST, SAFE_MINIMUM, SEARCH_MINIMUM
-from birdcage.protocol.hal.hazards import HAZARDS
-from birdcage.protocol.hal.model import MOVE_TIMES, TRAVLER
+from birdcage.protocol.hal.commands import COMMANDS_000, COMMANDS_205
+from birdcage.protocol.hal.dialect import DIALECT_000, DIALECT_205
+from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, LOWEST, SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.hazards import HAZARDS_000, HAZARDS_205
+from birdcage.protocol.hal.model import MOVE_TIMES, OLDER_TRAVLER, TRAVLER
 from birdcage.protocol.hal.own_settings import HalOwnSettings
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
@@ -40,18 +41,11 @@ _STOW_S = 60.0
 """How long `stow` may keep the shell: no source says whether it does. Only a deadline depends on it."""
 
 
-class HAL205Protocol(FirmwareProtocol):
-    """The Trav'ler's console: submenu `motor`, search ended by `ngsearch`, `s`, `q`; prompts are learnt."""
+class HalProtocol(FirmwareProtocol):
+    """The Trav'lers' consoles: a menu of moves, one in which the TV search is ended; prompts are learnt."""
 
-    name: ClassVar[str] = "hal205"
-    model: Facts = TRAVLER
-    dialect: ClassVar[ConsoleDialect] = DIALECT
-    motor_menu: ClassVar[str] = MOTOR
-    feature_table: ClassVar[FeatureTable] = FEATURES
-    hazards: ClassVar[HazardTable] = HAZARDS
-    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS
-    boot_marks: ClassVar[tuple[str, ...]] = ("NoGPS", "No LNB Voltage")
-    log_marks: ClassVar[tuple[str, ...]] = boot_marks
+    variant: ClassVar[HalVariant]
+    """In what this one differs from the others."""
 
     def __init__(self) -> None:
         self._slew: Typed | None = None
@@ -76,8 +70,8 @@ class HAL205Protocol(FirmwareProtocol):
     def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = TRAVLER.boot_s) -> None:
         """Wait for the end of the boot, end the TV search, and go into the motor menu.
 
-        From power-up the boot log streams until a line holds `NoGPS` or `No LNB Voltage`; a dish that has been up, or
-        that searches, answers at once. Ending a search that does not run is harmless. NoReply after `timeout_s`: a
+        From power-up the boot log streams until a line holds one of `boot_marks`; a dish that has been up, or that
+        searches, answers at once. Ending a search that does not run is harmless. NoReply after `timeout_s`: a
         shell that stays silent for so long is deadlocked, which only a power cycle ends; reason `wrong_firmware` at
         once for a dish that is plainly another.
         """
@@ -88,8 +82,8 @@ class HAL205Protocol(FirmwareProtocol):
         tell("The TV search is over. It begins again at the next power-up.")
 
     def enter_motor_menu(self) -> None:
-        """Enter `motor`."""
-        self.console.enter(MOTOR)
+        """Enter the menu of moves."""
+        self.console.enter(self.motor_menu)
 
     def is_homed(self) -> bool:
         """Return whether the dish tells where it is."""
@@ -101,12 +95,12 @@ class HAL205Protocol(FirmwareProtocol):
 
     def _read_position(self, busy_s: float) -> Position:  # noqa: ARG002 - the prompt never waits for a motor
         """Read all axes with one `a` (`docs/reference/travler.md`, *Position*)."""
-        return parse_position(self.console.run(MOTOR, "a").lines)
+        return parse_position(self.console.run(self.motor_menu, "a").lines)
 
     def _send_move(self, motor_id: int, degrees: float, busy_s: float) -> Taken:
         # What it answers no source tells: all that is no refusal counts as taken.
         line = f"a {motor_id} {angle_text(degrees)}"
-        reply = self.console.run(MOTOR, line, takes_s=max(busy_s, _QUEUED_S), permit=self.permit)
+        reply = self.console.run(self.motor_menu, line, takes_s=max(busy_s, _QUEUED_S), permit=self.permit)
         return Taken(sure=True, said=" / ".join(reply.lines), took_s=self.console.took_s)
 
     def stop_lines(self, az_deg: float, el_deg: float) -> tuple[str, ...]:  # noqa: ARG002
@@ -125,7 +119,7 @@ class HAL205Protocol(FirmwareProtocol):
                 reason=Reason.UNSUPPORTED,
             )
         line = f"g {angle_text(az_deg)} {angle_text(el_deg)} {angle_text(skew_deg)}"
-        self.console.enter(MOTOR)
+        self.console.enter(self.motor_menu)
         self._slew = self.console.type_line(line, takes_s=_SLEW_S, permit=self.permit)
 
     def slew_is_over(self) -> bool:
@@ -166,7 +160,7 @@ class HAL205Protocol(FirmwareProtocol):
                 raise
             return Survey()  # a dish without these rows, or without this menu: its model's limits hold
         lowest = rows[SAFE_MINIMUM]
-        usable = lowest is not None and TRAVLER.elevation.max_deg > float(lowest) > -90.0
+        usable = lowest is not None and self.model.elevation.max_deg > float(lowest) > -90.0
         return Survey(
             settings={row_id(index): value for index, value in rows.items() if value is not None},
             features={name: float(text) for name, index in LOWEST.items() if (text := rows[index]) is not None},
@@ -195,15 +189,15 @@ class HAL205Protocol(FirmwareProtocol):
     def kill_search(self) -> None:
         """End the TV search until the next power-up (`docs/reference/travler.md`, *Start and search*).
 
-        `ngsearch`, `s`, `q`; then go to the motor menu.
+        On HAL 2.05 `ngsearch`, `s`, `q`; on HAL 0.0.00 `os`, `kill Search`, `q`. Then go to the motor menu.
         """
-        self.console.enter(SEARCH)
+        self.console.enter(self.variant.search)
         try:
-            self.console.exchange("s")
+            self.console.exchange(self.variant.end_search)
         except CommandRefused as refused:
             if refused.reason != Reason.FAILED:
                 raise  # `failed` is said of a search that does not run
-        self.console.leave()
+        self.console.leave_one()
         self.enter_motor_menu()
 
     def restore_search(self) -> None:
@@ -212,3 +206,33 @@ class HAL205Protocol(FirmwareProtocol):
             "The Trav'ler has no command that begins its TV search: it begins by itself at the next power-up.",
             reason=Reason.UNSUPPORTED,
         )
+
+
+class HAL205Protocol(HalProtocol):
+    """The Trav'ler with HAL 2.05: menu `motor`, search ended by `ngsearch`, `s`, `q`."""
+
+    variant = HAL205
+    name: ClassVar[str] = HAL205.firmware
+    model: Facts = TRAVLER
+    dialect: ClassVar[ConsoleDialect] = DIALECT_205
+    motor_menu: ClassVar[str] = HAL205.motor
+    feature_table: ClassVar[FeatureTable] = FEATURES_205
+    hazards: ClassVar[HazardTable] = HAZARDS_205
+    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_205
+    boot_marks: ClassVar[tuple[str, ...]] = HAL205.boot_marks
+    log_marks: ClassVar[tuple[str, ...]] = boot_marks
+
+
+class HAL000Protocol(HalProtocol):
+    """The older Trav'ler with HAL 0.0.00: menu `mot`, search ended by `os`, `kill Search`, `q`."""
+
+    variant = HAL000
+    name: ClassVar[str] = HAL000.firmware
+    model: Facts = OLDER_TRAVLER
+    dialect: ClassVar[ConsoleDialect] = DIALECT_000
+    motor_menu: ClassVar[str] = HAL000.motor
+    feature_table: ClassVar[FeatureTable] = FEATURES_000
+    hazards: ClassVar[HazardTable] = HAZARDS_000
+    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_000
+    boot_marks: ClassVar[tuple[str, ...]] = HAL000.boot_marks
+    log_marks: ClassVar[tuple[str, ...]] = boot_marks

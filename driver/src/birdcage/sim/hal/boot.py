@@ -12,22 +12,23 @@ from birdcage.sim.shell import Pause, Script
 
 LINE_S = 5.0
 """A motor that homes is told of this often (assumed)."""
-HEAD = ((0.5, "HAL 2.05.003"), (1.0, "IDU found"), (0.5, "NVS loaded"))
+HEAD_S = 0.5
+REST = ((1.0, "IDU found"), (0.5, "NVS loaded"))
 DONE = {"nolnb": "No LNB Voltage", "nogps": "Loc: NoGPS", "none": "Searching"}
 
 
 def boot_log(board: HalBoard, search: HalSearch) -> Script:
     """Home every axis, then begin the search."""
-    yield from restart_log()
+    yield from restart_log(board)
     for index in (1, 0, 2):
         yield from _home(board, index)
     yield f"{DONE[board.settings.boot_line]}\n"
     search.start()
 
 
-def restart_log() -> Script:
+def restart_log(board: HalBoard) -> Script:
     """Start without homing, as after a dip of the supply."""
-    for seconds, line in HEAD:
+    for seconds, line in ((HEAD_S, board.settings.head), *REST):
         yield Pause(seconds)
         yield f"{line}\n"
 

@@ -1,4 +1,4 @@
-"""What can be chosen about a simulated Trav'ler with HAL 2.05 beside what every dish has (`birdcage.sim.settings`).
+"""What can be chosen about a simulated Trav'ler beside what every dish has (`birdcage.sim.settings`).
 
 No byte of this console was ever captured: texts and layouts are free. Each field is an option of the address:
 `sim:hal205?prompts=alike&wrap=360`. The words in brackets as in `docs/reference/travler.md`.
@@ -65,6 +65,8 @@ class HalSettings(SimSettings):
     boot_line: str = "nolnb"
     """The line that ends homing: `No LNB Voltage` (noted), `NoGPS` (read), or none, as with a GPS (written)."""
 
+    head: str = "HAL 2.05.003"
+    """The first line of its boot log (assumed)."""
     prompts: str = "named"
     """Whether the menus have prompts of their own, or all the same one (open)."""
     prompt_root: str = "TRK>"
@@ -121,3 +123,23 @@ class HalSettings(SimSettings):
     """Greatest speed of azimuth and elevation in deg/s, instead of the measured times; 0 for those (assumed)."""
     accel: float = 40.0
     """Acceleration of all axes in deg/s², and so how soon an aborted `g` comes to rest (assumed)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Hal000Settings(HalSettings):
+    """The knobs of one with HAL 0.0.00: what differs from HAL 2.05."""
+
+    firmware: ClassVar[str] = "hal000"
+    choices: ClassVar[Mapping[str, tuple[str, ...]]] = {**HalSettings.choices, "boot_line": ("nogps", "none")}
+
+    boot_line: str = "nogps"
+    """The line that ends homing: `NoGPS` (read), or none, as with a GPS (written)."""
+    head: str = "HAL 0.0.00"
+    a_layout: str = "lines"
+    """Whether `a` prints a line for each axis, or all in one (both assumed)."""
+    prompt_os: str = "OS>"
+    """The prompt of the menu of tasks (open)."""
+    search_stopped_text: str = "Task killed."
+    """What `kill Search` answers (open)."""
+    no_task_text: str = "No such task."
+    """What `kill` says of a task that does not run (open)."""

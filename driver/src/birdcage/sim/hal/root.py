@@ -6,21 +6,19 @@ from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.menu import HalMenu
 from birdcage.sim.shell import Die, Enter, Pause, Script
 
-SUBMENUS = ("motor", "ngsearch", "nvs")
-
 
 class HalRootMenu(HalMenu):
     """Enters submenus. What `q` does here is a setting."""
 
-    help_lines = (*SUBMENUS, "reboot", "stow", "q")
-
-    def __init__(self, board: HalBoard) -> None:
+    def __init__(self, board: HalBoard, submenus: tuple[str, ...]) -> None:
         super().__init__(board, board.settings.prompt_root)
+        self._submenus = submenus
+        self.help_lines = (*submenus, "reboot", "stow", "q")
         self.commands |= {"q": self._quit, "reboot": self._reboot, "stow": self._stow}
 
     def run(self, words: list[str]) -> Script:
         """Carry out one line; the name of a submenu enters it."""
-        if words[0] in SUBMENUS:
+        if words[0] in self._submenus:
             yield Enter(words[0])
         else:
             yield from super().run(words)
