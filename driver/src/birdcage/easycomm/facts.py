@@ -39,8 +39,8 @@ FACTS = Facts(
     firmware="easycomm",
     baud=BAUD,
     axes=(
-        Axis(AZIMUTH, Role.AZ, 0.0, 360.0, 12.6, 30.0, 0.05, overshoot_deg=0.5, turn_by=TurnBy.HOST),
-        Axis(ELEVATION, Role.EL, 0.0, 90.0, 24.4, 60.0, 0.05, overshoot_deg=0.5),
+        Axis(AZIMUTH, Role.AZ, 0.0, 360.0, 12.6, 30.0, 0.05, overshoot_deg=0.05, turn_by=TurnBy.HOST),
+        Axis(ELEVATION, Role.EL, 0.0, 90.0, 24.4, 60.0, 0.05, overshoot_deg=0.05),
     ),
     cable=CableRange(-360.0, 360.0),
     turn=CableTurn.REPORTED,
