@@ -39,7 +39,7 @@ def sets(stage):
 def test_it_asks_for_the_version_before_anything_that_one_of_them_takes_for_a_move():
     for options in (RP2040, STOCK):
         with met(options) as stage:
-            assert lines(stage)[:2] == ["VE", "AZ" if options == RP2040 else "AZ EL"]
+            assert lines(stage)[:2] == ["VE", "EL" if options == RP2040 else "AZ EL"]
 
 
 def test_the_stock_firmware_is_never_asked_by_az_alone_whatever_is_done():
@@ -106,6 +106,24 @@ def test_a_banner_means_that_the_azimuth_is_unknown_until_it_is_told():
             stage.do(Release("you"))
         stage.do(Goto(100.0, 10.0, "you"))
         assert stage.truth.az_deg % 360.0 == pytest.approx(100.0, abs=0.15)
+
+
+def test_one_that_is_met_as_it_starts_is_known_for_what_it_is():
+    """Its version is not answered in time then, and its position is, a moment later."""
+    stage = Stage(MachineBench("easycomm", rotator("&boot=1&el_homes=0&latency_max=0.1"), stops=()))
+    stage.until(lambda: stage.state.surveyed, 30.0, "it was met")
+    stage.step(2.0)
+    assert stage.state.position_lost == "unsynced"
+    assert stage.state.dish.zero_at_power_up == ("azimuth",)
+
+
+def test_a_lost_byte_of_a_question_is_no_command():
+    """`AZ` without its first byte would be the short word for `ZERO`."""
+    with met(RP2040) as stage:
+        stage.do(Goto(120.0, 40.0, "you"))
+        for line in set(lines(stage)):
+            for lost in range(len(line)):
+                assert (line[:lost] + line[lost + 1 :]).upper() not in ("Z", "R", "S", "ZERO", "RESET"), line
 
 
 def test_reset_is_never_sent_as_homing_to_an_rp2040():

@@ -47,8 +47,9 @@ GOLDENS = (
         (
             (b"\n", b""),
             (b"VE\n", b"VESatNOGS-RP2040-v0.2\n"),
-            (b"AZ\n", b"AZ45.0 EL30.0\n"),
-            (b"AZ\n", b"AZ45.0 EL30.0\n"),
+            (b"EL\n", b"AZ45.0 EL30.0\n"),
+            (b"EL\n", b"AZ45.0 EL30.0\n"),
+            (b"EL\n", b"AZ45.0 EL30.0\n"),
         ),
         met_and_looked,
         {"azimuth": 45.0, "elevation": 30.0},
@@ -58,7 +59,8 @@ GOLDENS = (
         (
             (b"\n", b""),
             (b"VE\n", b"VESatNOGS-RP2040-v0.2\r\n"),
-            (b"AZ\n", b"AZ45.0\r\n"),
+            (b"EL\n", b"EL-0.3\r\n"),
+            (b"EL\n", b"EL-0.3\r\n"),
             (b"AZ EL\n", b"AZ45.0\r\nEL-0.3\r\n"),
             (b"AZ EL\n", b"AZ45.1 EL-0.3\r\n"),
         ),
@@ -70,6 +72,7 @@ GOLDENS = (
         (
             (b"\n", b""),
             (b"VE\n", b"VESatNOGS-v2.2\n"),
+            (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
             (b"AZ60.00 EL20.00\n", b""),
@@ -85,6 +88,8 @@ GOLDENS = (
         (
             (b"\n", b""),
             (b"VE\n", b"VEAcme 1\n"),
+            (b"VE\n", b"VEAcme 1\n"),
+            (b"AZ EL\n", b"AZ10.0 EL20.0\nAZ10.0 EL20.0\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\nAZ10.0 EL20.0\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\nAZ10.0 EL20.0\n"),
             (b"AZ60.0 EL20.0\n", b""),

@@ -27,7 +27,8 @@ class EasycommKind:
     """Whether the targets in force after STOP are where the axes then stand."""
 
 
-RP2040 = EasycommKind(FACTS, "AZ", "STOP", names_both=False, decimals=2, stop_snaps=True)
+# `EL` and not `AZ`: with its first byte lost on the way, `AZ` is the RP2040's short word for `ZERO`.
+RP2040 = EasycommKind(FACTS, "EL", "STOP", names_both=False, decimals=2, stop_snaps=True)
 STOCK = EasycommKind(STOCK_FACTS, decimals=2, homes=True)
 OTHER = EasycommKind(replace(STOCK_FACTS, features={}, homing_s=None, never_homes=True))
 """Any other: it is asked and told only what all of them understand."""

@@ -23,10 +23,13 @@ from birdcage.easycomm.wire import (
     ELEVATION,
     ELEVATION_ALONE,
     MONITORED,
+    PIECE,
     POSITION,
     PROBE,
     RECALIBRATED,
     SAFE_QUERY,
+    SAFE_STOP,
+    TOLD,
     VERSION,
     WIRE,
     ZEROED,
@@ -72,6 +75,8 @@ class EasycommRotator(PlainRotator):
         """Whether STOP was written since the last set."""
         self._elevation: HeardLine | None = None
         self._query = SAFE_QUERY
+        self._is_met = False
+        """Whether `kind` was told since the line was opened."""
         self._in_force: dict[str, float | None] = {}
         """What the firmware's target of an axis is known to be; None: where it stands since STOP."""
         self._version = ""
@@ -101,7 +106,7 @@ class EasycommRotator(PlainRotator):
         link = dial(address, baud or self.facts.baud)
         self.is_simulated, self._hooks = link.demo, hooks
         self.line, self._due, self._stopped = PlainLine(hooks.delay_s), 0, False
-        self.kind, self._query = OTHER, SAFE_QUERY
+        self._is_met = False
         self._forget()
         self._session = LineSession(
             link, clock, WIRE, delay_s=hooks.delay_s, wake=hooks.wake, on_wake=hooks.on_wake, on_line=self._hear
@@ -116,17 +121,34 @@ class EasycommRotator(PlainRotator):
     def meet(self) -> None:
         """Ask which firmware it is, then where it points, in the way that no firmware takes for a move."""
         self.session.send("")  # ends what an earlier program may have left unfinished
+        version = self._ask_version() or self._ask_version()
+        if version is None:
+            self._query = self.kind.query  # as it was known before: a stock one does not answer what an RP2040 does
+            self._read_position()
+            version = self._ask_version() or self._version  # it answers now: it may have been starting before
+        self.kind, self._version = kind_of(version), version
+        self._query = self.kind.query
+        if self.ask(self._query, TOLD)[1] is None and self.ask(self._query, TOLD)[1] is None:
+            self._query = SAFE_QUERY  # it answers each axis by itself, and that was no damage
+        self._read_position()
+        self._is_met = True
+        self.facts = self.kind.facts
+        self._hooks.on_facts(self.facts)
+
+    def _ask_version(self) -> str | None:
+        """Return its version; None from one that does not know the question, or does not answer yet.
+
+        One that is not known is asked for again, and counts when it is told twice: the first may have been damaged.
+        """
         try:
             version = self.ask("VE", VERSION, within_s=VERSION_S)[1]
+            while kind_of(version) is OTHER and version != (again := self.ask("VE", VERSION, within_s=VERSION_S)[1]):
+                version = again
+            return version
         except NoReply as error:
             if error.reason not in (Reason.SILENT, Reason.BLOCKED):
                 raise
-            version = ""
-        self.kind, self._version = kind_of(version), version
-        self._query = self.kind.query
-        self._read_position()
-        self.facts = self.kind.facts
-        self._hooks.on_facts(self.facts)
+            return None
 
     def survey(self) -> Survey:
         """Tell the version that it had as it was met."""
@@ -141,9 +163,6 @@ class EasycommRotator(PlainRotator):
         self._hear_out(self.clock.monotonic() + self.line.delay_s)
         self._elevation = None
         match = self.ask(self._query, POSITION)
-        if match[2] is None and self._query != SAFE_QUERY:
-            self._query = SAFE_QUERY  # it answers each axis by itself
-            match = self.ask(self._query, POSITION)
         elevation = match[2] or self._heard_elevation(self.clock.monotonic() + self.line.delay_s)
         told = {AZIMUTH: float(match[1]), ELEVATION: float(elevation)}
         for axis, deg in told.items():
@@ -183,7 +202,7 @@ class EasycommRotator(PlainRotator):
         angles, self._homed = dict(to) | self._others(to), False
         self.session.send(set_line(angles, self.kind.decimals), self._hooks.permit)
         self._in_force |= angles
-        return Taken(sure=True, said=self.ask(self._query, POSITION)[0], took_s=self.line.took_s)
+        return Taken(sure=True, said=self.ask(self._query, TOLD)[0], took_s=self.line.took_s)
 
     def _others(self, to: Mapping[str, float]) -> dict[str, float]:
         """Return the targets that have to be named beside those that change."""
@@ -211,7 +230,8 @@ class EasycommRotator(PlainRotator):
         if order.by is StopBy.COMMAND:
             self._stopped = True
         self._due += 1
-        self.session.interject([self.kind.stop if order.by is StopBy.COMMAND else SAFE_QUERY])
+        stop = self.kind.stop if self._is_met else SAFE_STOP
+        self.session.interject([stop if order.by is StopBy.COMMAND else self._query])
 
     def settle(self, within_s: float) -> tuple[None, ...]:
         """See `Rotator`: every answer tells the position, and none refuses."""
@@ -233,8 +253,8 @@ class EasycommRotator(PlainRotator):
         self.session.listen(until)
 
     def is_answer(self, text: str) -> bool:
-        """Positions come twice from some firmwares, and late ones from all."""
-        return POSITION.fullmatch(text) is not None or ELEVATION_ALONE.fullmatch(text) is not None
+        """Positions come twice from some firmwares, late from all, and in pieces from a bad line."""
+        return PIECE.search(text) is not None
 
     def _hear(self, line: HeardLine) -> None:
         if self._due and POSITION.fullmatch(line.text) is not None:

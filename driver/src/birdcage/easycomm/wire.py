@@ -20,6 +20,10 @@ _NUMBER = r"(-?\d+(?:\.\d+)?)"
 POSITION = re.compile(rf"AZ ?{_NUMBER}(?: +EL ?{_NUMBER})?(?: .*)?")
 """Both angles on a line, or the azimuth alone with the elevation on the next."""
 ELEVATION_ALONE = re.compile(rf"EL ?{_NUMBER}")
+TOLD = re.compile(f"{POSITION.pattern}|{ELEVATION_ALONE.pattern}")
+"""Whatever may answer a question for the position."""
+PIECE = re.compile(r"AZ|EL|\d\.\d")
+"""What is left of an angle in a damaged line."""
 VERSION = re.compile("VE(.+)")
 RECALIBRATED = re.compile(r"EL recalibrated from IMU: (.*)|IMU not found.*")
 MONITORED = re.compile(r"AZ_T=(-?\d+) EL_T=(-?\d+) .*")
