@@ -108,7 +108,7 @@ def _gain(name: str, label: str) -> FeatureRow:
     return FeatureRow(
         Feature(
             name, label, "", FeatureKind.NUMBER, GAIN_RANGE, Writer.UNTIL_RESTART, cost=QUICK, page=FeaturePage.MOTORS,
-            group="Control loop", asked="GAINS",
+            group="Gains", asked="GAINS",
             hazard="The loop may swing, or no longer reach its targets. Both axes share the gain.",
         ),
         _gains,
@@ -127,17 +127,17 @@ def _input(index: int, name: str, label: str, unit: str = "", kind: FeatureKind 
 _SHARED = (
     FeatureRow(
         Feature(VERSION, "Version of the firmware", kind=FeatureKind.TEXT, cost=Cost(while_moving=True), asked="VE",
-                page=FeaturePage.HARDWARE, group="Controller"),
+                page=FeaturePage.HARDWARE, group="State"),
         _version,
     ),
     FeatureRow(
         Feature(STATUS, "Status", kind=FeatureKind.TEXT, cost=QUICK, asked="GS", page=FeaturePage.MOTORS,
-                group="Controller"),
+                group="State"),
         _status,
     ),
     FeatureRow(
         Feature(ERROR, "Error", kind=FeatureKind.TEXT, cost=QUICK, asked="GE", page=FeaturePage.MOTORS,
-                group="Controller", health=HealthMark("error", good=("none",))),
+                group="State", health=HealthMark("error", good=("none",))),
         _error,
     ),
 )  # fmt: skip
