@@ -5,7 +5,10 @@ from __future__ import annotations
 import pytest
 from birdcage.base.errors import BirdcageError, LinkError, Stopped
 from birdcage.detection import probe as module
+from birdcage.detection.detecting import heard_firmware
+from birdcage.detection.machine_probe import questions
 from birdcage.detection.probe import USUAL_BAUDS, Saw
+from birdcage.sim.port import open_device
 from birdcage.station.events import LinkChanged
 from birdcage.station.requests import Connect, Goto, Jog, ProbePort
 from birdcage.station.state import LinkPhase, TvSearch
@@ -81,10 +84,22 @@ def test_garbage_is_told_from_silence():
 def test_all_usual_rates_are_tried_where_none_answers(wrong):
     wrong.device.power_off()
     findings = wrong.do(ProbePort())
-    assert [each.baud for each in findings] == [9600, *(baud for baud in USUAL_BAUDS if baud != 9600)]
+    usual = [9600, *(baud for baud in USUAL_BAUDS if baud != 9600)]
+    asked = [baud for _question, baud in questions()]
+    assert [each.baud for each in findings] == [*usual, *asked]
     assert {each.saw for each in findings} == {Saw.SILENCE}
     assert all(port._closed for port in wrong.opened[:-1])
-    assert sum(each.waited_s for each in findings) == pytest.approx(3.5)
+    assert sum(each.waited_s for each in findings) == pytest.approx(0.7 * (len(usual) + len(asked)))
+
+
+def test_a_machine_without_a_prompt_is_asked_last_and_named(wrong):
+    """By the question that it offers, where every rate is silent: then Setup can offer to speak its language."""
+    rotator = open_device("easycomm?seed=1", clock=wrong.clock)
+    wrong.device = rotator
+    findings = wrong.do(ProbePort())
+    assert [each.saw for each in findings[:-1]] == [Saw.SILENCE] * (len(findings) - 1)
+    assert heard_firmware(findings[-1], "/dev/ttyACM0") == "easycomm"
+    assert not rotator.truth().moving
 
 
 def test_a_dish_that_answers_is_heard_at_its_own_rate_and_goes_on():
@@ -196,7 +211,7 @@ def test_a_server_on_the_network_is_heard_once():
     bench.do(Connect("socket://host:2000", 57600))
     bench.device.power_off()
     findings = bench.do(ProbePort())
-    assert [each.baud for each in findings] == [57600]
+    assert [each.baud for each in findings] == [57600] * (1 + len(questions())), "once, and then machines are asked"
 
 
 def test_rates_do_not_go_on_for_ever():

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from birdcage.base.clock import Clock, WaitOutcome
+from birdcage.base.wake import Wake
 from birdcage.detection.probe import LISTEN_S, BaudFinding, finding_of
 from birdcage.link.port import Port
 from birdcage.rotator import machines
@@ -26,12 +27,21 @@ def questions() -> Mapping[tuple[bytes, int], tuple[str, ...]]:
     return asked
 
 
-def ask(link: Port, clock: Clock, baud: int, question: bytes, *, listen_s: float = LISTEN_S) -> BaudFinding:
-    """Send a question over `link`, which is open at `baud`, and say what came in time. LinkError without a port."""
+def ask(
+    link: Port, clock: Clock, baud: int, question: bytes, *, listen_s: float = LISTEN_S, wake: Wake | None = None,
+    on_wake: Callable[[], None] = lambda: None,
+) -> BaudFinding:  # fmt: skip
+    """Send a question over `link`, which is open at `baud`, and say what came in time. LinkError without a port.
+
+    `on_wake` is called when `wake` is set; it clears it, and may raise to end the wait.
+    """
     began, heard = clock.monotonic(), b""
     link.write(question)
     while clock.monotonic() < began + listen_s:
-        if clock.wait(link, began + listen_s, None) is WaitOutcome.READY:
+        outcome = clock.wait(link, began + listen_s, wake)
+        if outcome is WaitOutcome.INTERRUPTED:
+            on_wake()
+        elif outcome is WaitOutcome.READY:
             heard += link.read()
     return finding_of(baud, heard, clock.monotonic() - began)
 

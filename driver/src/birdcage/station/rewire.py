@@ -8,6 +8,7 @@ from birdcage.base.errors import BirdcageError, LinkError, Stopped
 from birdcage.base.reason import Reason
 from birdcage.base.wake import Wake
 from birdcage.detection.clues import known_tokens
+from birdcage.detection.machine_probe import ask, questions
 from birdcage.detection.probe import USUAL_BAUDS, BaudFinding, Saw, probe
 from birdcage.link.opening import has_speed
 from birdcage.rotator.values import Survey
@@ -33,7 +34,8 @@ class Rewire:
     def probe(self, bauds: tuple[int, ...] = ()) -> tuple[BaudFinding, ...]:
         """Listen at the present rate, then at `bauds` or the usual ones, until one shows a prompt.
 
-        At each, one bare Enter is sent, and `?` where a prompt answers. Afterwards the station tries again as before.
+        At each, one bare Enter is sent, and `?` where a prompt answers. Where all is silent, whole machines are asked,
+        each by its question that moves nothing (`LineProbe`). Afterwards the station tries again as before.
         A port whose rate is not ours to set (`socket://`) is heard once. Raises LinkError when the port cannot be
         opened or is lost, BirdcageError (`moving`) while the dish moves, Stopped when STOP or the end of the station
         came first.
@@ -73,6 +75,15 @@ class Rewire:
                 link.close()
             if findings[-1].saw is Saw.PROMPT:
                 break
+        if all(each.saw is Saw.SILENCE for each in findings):
+            for question, own_rate in questions():
+                baud = own_rate if own_rate and has_speed(port) else self._connection.baud
+                on_wake()
+                link = self._settings.open_link(port, baud)
+                try:
+                    findings.append(ask(link, clock, baud, question, wake=self._wake, on_wake=on_wake))
+                finally:
+                    link.close()
         return tuple(findings)
 
     def connect(self, port: str, baud: int | None) -> None:

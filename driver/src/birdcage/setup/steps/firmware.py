@@ -13,14 +13,15 @@ OTHER = "firmware-"
 KEYS = ("f", "h", "e")
 
 
-def other_firmwares(bench: SetupContext, *, likely: bool = False, heard: str = "") -> tuple[Choice, ...]:
+def other_firmwares(bench: SetupContext, *, likely: bool = False, heard: str = "", rate: int = 0) -> tuple[Choice, ...]:
     """Return a choice for each firmware that is known and not spoken now, the one that was `heard` first.
 
-    Those follow that tell where they point. `likely` makes Enter take the first.
+    Those of the rate at which something answers follow, then those that tell where they point. `likely` makes Enter
+    take the first.
     """
     present = bench.state.dish
     others = [model for model in list_models() if present is None or model.firmware != present.firmware]
-    others.sort(key=lambda model: (model.firmware != heard, not model.tells_at_rest))
+    others.sort(key=lambda model: (model.firmware != heard, rate not in (0, model.baud), not model.tells_at_rest))
     return tuple(
         Choice(f"{OTHER}{model.firmware}", key, f"It is a {model.name} ({model.firmware})")
         for key, model in zip(("enter", *KEYS) if likely else KEYS, others, strict=False)

@@ -176,7 +176,7 @@ class LinkStep(Step):
         if self.bench.via:
             return tuple(choices)  # the program that has the port chooses it
         if self._another:
-            return other_firmwares(self.bench, likely=True)
+            return other_firmwares(self.bench, likely=True, rate=self._rate)
         if self._heard:
             choices = [*other_firmwares(self.bench, likely=True, heard=self._heard),
                        Choice("connect", "c", f"Connect at {answering} baud all the same")]  # fmt: skip
