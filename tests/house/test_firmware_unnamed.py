@@ -21,8 +21,11 @@ ROOMS = (
 FOLDERS = [*(ROOT / "driver/src/birdcage" / room for room in ROOMS), ROOT / "tui/src/birdcage_tui"]
 SOURCES = sorted(path for folder in FOLDERS for path in folder.rglob("*.py"))
 
-MAY_NAME = {"driver/src/birdcage/cli/commands/sim.py"}
-"""It names what it simulates."""
+MAY_NAME = {
+    "driver/src/birdcage/cli/commands/sim.py", "driver/src/birdcage/cli/commands/serve.py",
+    "driver/src/birdcage/cli/serve_serial.py",
+}  # fmt: skip
+"""They name what they simulate, and the language in which they serve others."""
 DEFAULT = re.compile(r'^(?:DEFAULT|DEMO)_FIRMWARE = "\w+"$', re.MULTILINE)
 """What is tried first, and what the demo is."""
 

@@ -12,7 +12,8 @@ class CommandLines:
     A line that is too long comes as None, once, as soon as that is known.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, longest: int = LONGEST) -> None:
+        self._longest = longest
         self._begun = b""
         self._skipping = False
 
@@ -38,7 +39,7 @@ class CommandLines:
     def _take(self, piece: bytes, lines: list[bytes | None]) -> None:
         if self._skipping:
             return
-        if len(self._begun) + len(piece) > LONGEST:
+        if len(self._begun) + len(piece) > self._longest:
             self._begun, self._skipping = b"", True
             lines.append(None)
         else:

@@ -24,14 +24,18 @@ LOOK_S = 0.5
 class SharedDish:
     """One for each server; all of it for the server's thread."""
 
-    def __init__(self, station: StationAccess, options: RotctldOptions, recogniser: Recogniser | None = None) -> None:
+    def __init__(
+        self, station: StationAccess, options: RotctldOptions, recogniser: Recogniser | None = None, *,
+        watcher: str = WATCHER,
+    ) -> None:  # fmt: skip
         """`recogniser`: None where satellites that clients follow are not recognised."""
+        self._watcher = watcher
         self.station, self.options, self.recogniser = station, options, recogniser
         self.seen = SeenDish(options)
         self._clients: dict[str, ClientRotor] = {}
         self._leaving: dict[str, Future[object]] = {}
         """Clients that hung up, by name, with the motion that is being finished."""
-        self.idle = IdlePark(station, options, WATCHER)
+        self.idle = IdlePark(station, options, self._watcher)
         """Parks once none is left."""
 
     def client(self, name: str) -> ClientRotor:
@@ -39,7 +43,7 @@ class SharedDish:
         if name in self._clients or name in self._leaving:
             raise ValueError(f"There is a client called {name} already.")
         if not self._clients:
-            self.station.submit(Watch(WATCHER, frozenset({POSITION})))
+            self.station.submit(Watch(self._watcher, frozenset({POSITION})))
         client = self._clients[name] = ClientRotor(self, name)
         return client
 
@@ -57,7 +61,7 @@ class SharedDish:
             # Not from `tick`: the server may end before the motion does.
             motion.add_done_callback(lambda _motion: self.station.submit(ReleaseLease(name)))
         if not self._clients:
-            self.station.submit(Unwatch(WATCHER))
+            self.station.submit(Unwatch(self._watcher))
 
     @property
     def departed_holder(self) -> str:

@@ -39,6 +39,13 @@ NETWORK = "network"
 @click.option("--skip-init", is_flag=True, help="Do not read the dish's identity and settings at the start.")
 @click.option("--record", metavar="FILE", help="Append what clients say, and what they are answered, to FILE.")
 @click.option(
+    "--easycomm", is_flag=True,
+    help="Serve a program that knows only a serial port: EasyComm at a pseudo terminal, and no network.",
+)  # fmt: skip
+@click.option(
+    "--link", type=click.Path(path_type=Path), help="With --easycomm: a symbolic link to it, a name that stays."
+)
+@click.option(
     "--selftest", is_flag=True, help="Say what the clients say to a server over this dish; tell what would fail."
 )
 @click.option(
@@ -53,8 +60,8 @@ NETWORK = "network"
 @global_options()
 def command(
     host: str | None, listen_port: int | None, allow: tuple[str, ...], read_only: bool, strict: bool, skip_init: bool,
-    record: str | None, selftest: bool, moves: bool, print_gpredict: bool, print_satnogs: bool,
-    print_systemd: str | None,
+    record: str | None, easycomm: bool, link: Path | None, selftest: bool, moves: bool, print_gpredict: bool,
+    print_satnogs: bool, print_systemd: str | None,
 ) -> None:  # fmt: skip
     """Drive the dish for Gpredict, SatNOGS, SatDump and other programs that speak to Hamlib's rotctld.
 
@@ -77,6 +84,13 @@ def command(
     }  # fmt: skip
     wants = wanted(given)
     settings = _checked(wants)
+    if link is not None and not easycomm:
+        raise click.UsageError("--link goes with --easycomm.")
+    if easycomm:
+        _refuse_of_network({
+            "--host": host is not None, "--listen-port": listen_port is not None, "--allow": bool(allow),
+            "--strict": strict, "--record": record is not None, "--selftest": selftest,
+        })  # fmt: skip
     if moves and not selftest:
         raise click.UsageError("--moves goes with --selftest.")
     if selftest:
@@ -90,10 +104,16 @@ def command(
     if print_systemd is not None:
         given_here = {
             "--host": (host,), "--listen-port": (listen_port,), "--allow": allow, "--read-only": (read_only,),
-            "--strict": (strict,), "--skip-init": (skip_init,), "--record": (record and str(Path(record).absolute()),),
+            "--strict": (strict,), "--skip-init": (skip_init,), "--easycomm": (easycomm,),
+            "--link": (link and str(link.absolute()),), "--record": (record and str(Path(record).absolute()),),
         }  # fmt: skip
         _print_unit(wants, print_systemd, given_here)
         return
+    if easycomm:
+        from birdcage.cli.serve_serial import serve_serial
+
+        with reach_dish(_reached(wants), "birdcage serve", moves=True, survey=not skip_init) as dish:
+            serve_serial(dish, wants, link)
     # First of all: a port that is taken is told before the dish is asked anything, and early clients wait in line.
     with ExitStack() as stack:
         listener = stack.enter_context(passed_socket() or listen(settings.host, settings.port))
@@ -104,6 +124,12 @@ def command(
         wants = _reached(wants)
         with reach_dish(wants, "birdcage serve", moves=True, survey=not skip_init) as dish:
             _serve(dish, wants, listener, recorder)
+
+
+def _refuse_of_network(given: Mapping[str, bool]) -> None:
+    """UsageError for an option that has a meaning only where the network is served."""
+    for option in (each for each, is_given in given.items() if is_given):
+        raise click.UsageError(f"{option} is for the network, which --easycomm does not serve.")
 
 
 def _reached(wants: Wanted) -> Wanted:

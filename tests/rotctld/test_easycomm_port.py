@@ -1,0 +1,176 @@
+"""Hamlib's own `rotctl` at the pseudo terminal, one program after the other, on threads and a real clock."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import time
+
+import pytest
+
+pytest.importorskip("termios", reason="a pseudo terminal is needed")
+from birdcage.base.clock import RealClock
+from birdcage.base.config import load
+from birdcage.base.errors import ConfigError
+from birdcage.base.paths import Paths
+from birdcage.rotctld.easycomm_port import EasycommPort
+from birdcage.rotctld.easycomm_service import EasycommService
+from birdcage.rotctld.options import RotctldOptions
+from birdcage.station.build import open_session
+from birdcage.station.requests import Goto
+
+needs_rotctl = pytest.mark.skipif(shutil.which("rotctl") is None, reason="Hamlib's rotctl is not installed")
+MODELS = ("202", "204")
+
+
+class Served:
+    """A simulated G2 behind a serial port."""
+
+    def __init__(self, link=None, **options):
+        self.session = open_session(
+            port="sim:g2?seed=1", firmware="g2", baud=None, settings=load(None), paths=Paths.default(),
+            clock=RealClock(), survey=False,
+        )  # fmt: skip
+        self.session.start()
+        self.port, self.told = EasycommPort(link), []
+        options = RotctldOptions(park=(180.0, 40.0), **options)
+        self.service = EasycommService(self.session.station, self.port, options, self.told.append)
+        self.service.start()
+        self.wait_for(lambda state: state.position is not None)
+
+    @property
+    def state(self):
+        return self.session.station.state
+
+    def wait_for(self, good, within_s=30.0):
+        end = time.monotonic() + within_s
+        while not good(self.state):
+            assert time.monotonic() < end, self.state
+            time.sleep(0.02)
+
+    def wait_at(self, az_deg, el_deg):
+        def there(state):
+            here = state.position
+            return state.motion is None and (here.az_deg, here.el_deg) == pytest.approx((az_deg, el_deg), abs=0.1)
+
+        self.wait_for(there)
+
+    def close(self):
+        self.service.shutdown()
+        self.session.close()
+
+
+@pytest.fixture
+def served():
+    served = Served()
+    yield served
+    assert served.service.crash is None
+    served.close()
+
+
+def rotctl(served, model, *words):
+    """Run it, and return its exit code and what it printed."""
+    done = subprocess.run(
+        ["rotctl", "-m", model, "-r", served.port.path, *words], capture_output=True, text=True, timeout=20, check=False
+    )
+    return done.returncode, done.stdout
+
+
+def say(served, said, answers=0):
+    """Talk as a program does that opens the port, and closes it in the end."""
+    port = os.open(served.port.path, os.O_RDWR | os.O_NOCTTY)
+    try:
+        os.write(port, said)
+        heard = b""
+        while heard.count(b"\n") < answers:
+            heard += os.read(port, 100)
+        return heard
+    finally:
+        os.close(port)
+
+
+@needs_rotctl
+@pytest.mark.parametrize("model", MODELS)
+def test_rotctl_reads_sets_and_stops(served, model):
+    here = served.state.position
+    code, told = rotctl(served, model, "p")
+    assert (code, [float(each) for each in told.split()]) == (
+        0, pytest.approx([here.az_deg, here.el_deg], abs=0.1)
+    ), told  # fmt: skip
+    assert rotctl(served, model, "P", "20", "50")[0] == 0
+    served.wait_at(20.0, 50.0)
+    assert [float(each) for each in rotctl(served, model, "p")[1].split()] == pytest.approx([20.0, 50.0], abs=0.1)
+    assert rotctl(served, model, "P", "100", "50")[0] == 0
+    served.wait_for(lambda state: state.motion is not None)
+    assert rotctl(served, model, "S")[0] == 0
+    served.wait_for(lambda state: state.motion is None)
+    assert served.state.held is None, "it ends its own motion, and is no person's STOP"
+    assert abs(served.state.position.az_deg - 100.0) > 1.0, "it did not go on"
+
+
+@needs_rotctl
+def test_rotctl_parks_and_homes_nothing(served):
+    assert rotctl(served, "204", "K")[0] == 0
+    served.wait_at(180.0, 40.0)
+    assert rotctl(served, "204", "R", "1")[0] == 0
+    time.sleep(0.3)
+    assert served.state.motion is None
+    served.wait_at(180.0, 40.0)
+
+
+def test_a_wish_below_the_floor_is_clamped(served):
+    say(served, b"AZ10.0 EL0.0\n")
+    served.wait_at(10.0, served.state.el_min_deg)
+
+
+def test_each_program_is_one_of_its_own_and_gives_control_back(served):
+    say(served, b"AZ30.0 EL45.0\n")
+    served.wait_at(30.0, 45.0)
+    served.wait_for(lambda state: state.holder is None)
+    assert say(served, b"AZ EL\n", 1).startswith(b"AZ30.")
+    served.wait_for(lambda _state: len(served.told) == 4)
+    assert [words.rpartition("(")[2] for words in served.told] == [
+        "easycomm 1).", "easycomm 1).", "easycomm 2).", "easycomm 2).",
+    ]  # fmt: skip
+
+
+def test_what_one_has_left_unread_does_not_reach_the_next(served):
+    say(served, b"VE\nVE\nGE\n")
+    served.wait_for(lambda _state: len(served.told) == 2)
+    assert say(served, b"GS\n", 1) == b"GS1\n"
+
+
+def test_bytes_that_are_no_text_end_nothing(served):
+    say(served, bytes(range(256)) * 40)
+    served.wait_for(lambda _state: len(served.told) >= 2)
+    assert say(served, b"\nGE\n", 1) == b"GE1\n"
+
+
+def test_another_ones_control_is_not_taken(served):
+    served.session.station.submit(Goto(60.0, 45.0, "you")).result(20)
+    say(served, b"AZ10.0 EL30.0\nSA SE\n")
+    served.wait_for(lambda _state: len(served.told) == 2)
+    assert served.state.holder == "you"
+    served.wait_at(60.0, 45.0)
+
+
+def test_its_link_is_there_while_it_serves(tmp_path):
+    link = tmp_path / "rotator"
+    served = Served(link)
+    assert os.path.realpath(link) == served.port.path
+    served.close()
+    assert not link.is_symlink()
+    link.write_text("mine")
+    with pytest.raises(ConfigError, match="is not a symbolic link"):
+        EasycommPort(link)
+    assert link.read_text() == "mine"
+
+
+def test_one_that_may_only_look_moves_nothing():
+    served = Served(read_only=True)
+    say(served, b"AZ20.0 EL50.0\n")
+    served.wait_for(lambda _state: len(served.told) == 2)
+    assert served.state.motion is None
+    assert served.state.holder is None
+    served.close()
