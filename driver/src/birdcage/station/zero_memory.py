@@ -1,6 +1,6 @@
 """Remembers between programs where a machine points that was told so: while it stands as it was left, and has power.
 
-`docs/decisions/0081-told-zero.md`.
+`docs/decisions/0082-told-zero.md`.
 """
 
 from __future__ import annotations
