@@ -66,7 +66,7 @@ def test_a_firmware_that_is_not_spoken_is_one_sentence(run) -> None:
     result = run("pos", firmware="nosuch")
     assert result.exit_code == 2
     assert result.stderr == (
-        "This version does not speak nosuch. It speaks carryout, g2, g2plus, hal205. "
+        f"This version does not speak nosuch. It speaks {', '.join(list_firmwares())}. "
         "Without --firmware, BIRDCAGE_FIRMWARE and dish.firmware the port is asked.\n"
     )
 

@@ -23,9 +23,9 @@ SOURCES = sorted(path for folder in FOLDERS for path in folder.rglob("*.py"))
 
 MAY_NAME = {
     "driver/src/birdcage/cli/commands/sim.py", "driver/src/birdcage/cli/commands/serve.py",
-    "driver/src/birdcage/cli/serve_serial.py",
+    "driver/src/birdcage/cli/serve_serial.py", "tui/src/birdcage_tui/control/clients.py",
 }  # fmt: skip
-"""They name what they simulate, and the language in which they serve others."""
+"""They name what they simulate, the language in which they serve others, and Hamlib's own client."""
 DEFAULT = re.compile(r'^(?:DEFAULT|DEMO)_FIRMWARE = "\w+"$', re.MULTILINE)
 """What is tried first, and what the demo is."""
 

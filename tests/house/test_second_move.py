@@ -12,7 +12,7 @@ SOURCES = [
     path.relative_to(ROOT)
     for folder in ("driver/src/birdcage", "tui/src/birdcage_tui")
     for path in sorted((ROOT / folder).rglob("*.py"))
-    if not {"rotator", "protocol", "easycomm", "sim"} & set(path.relative_to(ROOT / folder).parts[:1])
+    if not {"rotator", "protocol", "easycomm", "hamlib", "sim"} & set(path.relative_to(ROOT / folder).parts[:1])
 ]
 KINDS = re.compile(r"\b(SecondMove|second_same|second_other)\b")
 ASKS = {

@@ -106,7 +106,7 @@ def test_a_dish_that_answers_as_another_is_not_called_mute(build):
     assert "The wires are right" in step.words[0]
     assert house.setup.causes() == ()
     enter = next(each for each in step.choices if each.key == "enter")
-    assert enter.name == "firmware-hal205"
+    assert enter.name in ("firmware-hal000", "firmware-hal205"), "nothing seen so far tells them apart"
 
 
 CLEARANCE = "Nothing taller than 8 in (20 cm) may stand within 32.5 in (83 cm) of the centre of its base."

@@ -18,6 +18,7 @@ from birdcage.base.config import Settings, load
 from birdcage.base.config.edit import edit
 from birdcage.base.errors import BirdcageError
 from birdcage.base.log_output import LogOutput
+from birdcage.base.machine_port import port_of
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.second_dish import second_dish
 from birdcage.base.signals import SignalListener
@@ -87,7 +88,9 @@ def run(options: argparse.Namespace) -> int:
             anew = True
             # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
             # For a second dish its own file says it anyway.
-            options.firmware, options.baud = load(paths.config_file, environ={}).dish.firmware, None
+            kept = load(paths.config_file, environ={}).dish
+            options.firmware, options.baud = kept.firmware, None
+            options.port = port_of(kept.firmware or "", options.port, kept.port)
 
 
 def _complain(wrong: BirdcageError) -> int:

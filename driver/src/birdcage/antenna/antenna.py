@@ -293,14 +293,15 @@ class BirdcageAntenna:
         """Return the dish angles of a true direction that the gate lets through.
 
         Reads the position first, unless the dish was seen at rest less than `FRESH_S` ago
-        (`docs/decisions/0054-a-move-from-rest.md`).
+        (`docs/decisions/0054-a-move-from-rest.md`), or may not be asked so soon (`AzEl.next_look`).
         """
         self._check_thread()
         if self._latch is not None:
             self._latch.check()
         gate = self.gate
         current = self._last_position if gate.position is not None else None
-        if current is None or self.rotator.clock.monotonic() - self.moving.seen_at_rest > FRESH_S:
+        now = self.rotator.clock.monotonic()
+        if current is None or (now - self.moving.seen_at_rest > FRESH_S and self.rotator.next_look(now) <= now):
             try:
                 current = self.get_position()
             except PositionUnknown as unknown:

@@ -35,6 +35,7 @@ class AzEl:
     def __init__(self, rotator: Rotator, gate: MotionGate) -> None:
         self._rotator, self._gate = rotator, gate
         self._clock: Clock | None = None
+        self._looked_at = -math.inf
         self.most_missed_deg = MOST_MISSED_DEG
         """By how much a machine with a mapping may miss a direction that it is sent to."""
         self._told: Facts | None = None
@@ -120,8 +121,15 @@ class AzEl:
         return self._rotator.write(feature, value)
 
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Position:
-        """See `Rotator`."""
+        """See `Rotator`. Where it was asked just now (`next_look`), it is listened to until it may be asked again."""
+        while (now := self.clock.monotonic()) < (until := self.next_look(now)):
+            self._rotator.listen(until)
+        self._looked_at = now
         return self.position(self._rotator.look(hurry=hurry, busy_s=busy_s))
+
+    def next_look(self, at: float) -> float:
+        """Return when the machine may be asked where it is, at a monotonic time or later."""
+        return max(at, self._looked_at + (self._rotator.facts.least_look_interval_s or 0.0))
 
     def position(self, look: Look) -> Position:
         """Return where the machine is that tells this. PositionUnknown (`unsynced`) until its zeros were told."""

@@ -11,11 +11,14 @@ from dataclasses import dataclass
 
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
-from birdcage.detection.clues import Clue, clues_of, firmwares_of, known_tokens, marked
+from birdcage.base.machine_port import machine_at
+from birdcage.detection.clues import CERTAIN, Clue, clues_of, firmwares_of, known_tokens, marked
 from birdcage.detection.machine_probe import ask, questions
+from birdcage.detection.named_machine import meet_machine
 from birdcage.detection.probe import BaudFinding, Saw, overhear, probe
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
+from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.machines import facts_of
 
 OpenLink = Callable[[str, int], Link]
@@ -66,7 +69,13 @@ def detect_firmware(
     else at that of the dish that starts longest. Nothing moves; a combined move of a Trav'ler that is under way ends
     by the first byte. Where all of that is silent, whole machines are asked, each by a question that moves nothing
     (`LineProbe`). `tell` hears which rate is tried. A port that does not open is told in `trouble`.
+
+    A port that names its machine by its scheme (`base.machine_port`) is asked in that machine's language instead.
     """
+    named = machine_at(port)
+    if named is not None:
+        tell(f"Asking for the {named} on {port} …")
+        return _meet(named, port, clock, open_port)
     opening, timed = open_port or _opening(clock), has_speed(port)
     rates = (baud,) if baud is not None else _rates(first) if timed else _rates(first)[:1]
     findings: list[BaudFinding] = []
@@ -112,6 +121,19 @@ def detect_firmware(
     except LinkError as error:
         return Detection(port, None, str(error), tuple(findings), trouble=error)
     return _told(port, findings, clues_of(findings[-1], rate_counts=timed), timed=timed)
+
+
+def _meet(firmware: str, port: str, clock: Clock, open_port: OpenLink | None) -> Detection:
+    try:
+        met = meet_machine(firmware, port, clock, Hooks(dial=open_port))
+    except LinkError as error:
+        return Detection(port, None, str(error), trouble=error)
+    if met.silence:
+        return Detection(port, None, f"{port} names a {met.name} ({firmware}), and none answers. {met.silence}")
+    clue = Clue(firmware, "it answers in the language that its address names", CERTAIN)
+    told = f" It tells {met.told}." if met.told else ""
+    sentence = f"{port} is a {met.name} ({firmware}): {clue.words}.{told}"
+    return Detection(port, firmware, sentence, (), (clue,), (firmware,))
 
 
 def heard_firmware(finding: BaudFinding, port: str) -> str | None:

@@ -60,7 +60,7 @@ def _open_port(url: str, baud: int, clock: Clock) -> tuple[Port, str | None]:
 
 def has_speed(url: str) -> bool:
     """Return whether the baud rate of this port is ours to set: on TCP it is the server's, a loop has none."""
-    return _scheme(url) not in ("socket", "loop")
+    return _is_serial(url)
 
 
 def keeps_order(url: str) -> bool:
@@ -68,7 +68,13 @@ def keeps_order(url: str) -> bool:
 
     They do where both go through one queue of this machine, not where a server takes in connections.
     """
-    return _scheme(url) not in ("socket", "rfc2217", "loop")
+    return _is_serial(url) and _scheme(url) != "rfc2217"
+
+
+def _is_serial(url: str) -> bool:
+    """Return whether a serial line, or what stands for one, is behind it: not a loop, nor a network of any scheme."""
+    scheme = _scheme(url)
+    return scheme is None or scheme == "rfc2217" or (scheme not in ("socket", "loop") and is_registered(url))
 
 
 def is_registered(url: str) -> bool:

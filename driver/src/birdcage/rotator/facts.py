@@ -179,6 +179,11 @@ class Facts:
     sweep: OwnSweep | None = None
     """Whether it can sweep an axis by itself and tell the signal meanwhile; `no_sweep` says so of one that can't."""
     readback: Readback
+    least_look_interval_s: float | None = None
+    """How long it is left alone between two questions where it is, in seconds of the wire; None where any rate will do.
+
+    Whoever watches, follows or stops it asks no oftener.
+    """
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     reflector: Reflector | None = None

@@ -9,12 +9,13 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import Any
 
+from birdcage.base import machine_port
 from birdcage.base.entry_points import entry_points, load
 from birdcage.rotator.adapting import as_rotator
 from birdcage.rotator.facts import Facts
 from birdcage.rotator.rotator import Rotator
 
-DIALECTS, MACHINES = "birdcage.dialects", "birdcage.machines"
+DIALECTS, MACHINES = "birdcage.dialects", machine_port.MACHINES
 
 
 @lru_cache(maxsize=1)
@@ -27,6 +28,7 @@ def _found() -> dict[str, tuple[str, str]]:
 def look_anew() -> None:
     """Look for machines once more: a package was added to, or taken from, the running program."""
     _found.cache_clear()
+    machine_port.look_anew()
 
 
 def names() -> tuple[str, ...]:

@@ -109,3 +109,5 @@ class FirmwareKind(Generic[AnySettings]):
     settings: type[AnySettings]
     build: Callable[[AnySettings, FirmwareHost], Firmware]
     shell: MakeShell = console_shell
+    scheme: str = ""
+    """Under which scheme a program reaches it, where it is a server: it is then served over TCP and on no pty."""

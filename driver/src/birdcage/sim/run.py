@@ -17,7 +17,7 @@ from birdcage.base.wake import Wake
 from birdcage.sim.beacons import read_beacons
 from birdcage.sim.channel import ClientChannel
 from birdcage.sim.device import Device
-from birdcage.sim.port import open_device
+from birdcage.sim.port import kind_of, open_device
 from birdcage.sim.rig import RigSettings, SimReceiver
 from birdcage.sim.rig_server import RigServer
 from birdcage.sim.server import Server
@@ -54,7 +54,7 @@ def run_simulator(
         boot: start at power-on.
         pace_baud: bytes cross the wire at this rate; 0 for at once.
         link: a symbolic link that points at the pty while there is one.
-        tcp: serve on 127.0.0.1 instead of a pty.
+        tcp: serve on 127.0.0.1 instead of a pty; a server always is (`FirmwareKind.scheme`).
         json: print one line `{"port": …, "firmware": …, "control": …}` instead of sentences; with a receiver `"rig"`.
         options: further settings by name (`birdcage.sim.settings` and the firmware's own); they go before the
             arguments above.
@@ -75,8 +75,9 @@ def run_simulator(
     with ExitStack() as stack:
         if stop is None:
             stop = _stopped_by_signals(stack)
+        scheme = kind_of(firmware).scheme or ("socket" if tcp else "")
         receiver = _receiver(device, clock, rig, beacons, seed)
-        server = Server(device, _channel(link, device.firmware.baud or USB_BAUD, tcp=tcp), f"sim:{firmware}", receiver)
+        server = Server(device, _channel(link, device.firmware.baud or USB_BAUD, scheme), f"sim:{firmware}", receiver)
         stack.callback(server.close)
         _announce(server, firmware, link, json=json, out=out or sys.stdout)
         server.serve(stop)
@@ -94,13 +95,13 @@ def _receiver(device: Device, clock: Clock, port: int | None, beacons: Path | No
     return RigServer(SimReceiver(settings, clock, lambda: device), port)
 
 
-def _channel(link: Path | None, baud: int, *, tcp: bool) -> ClientChannel:
-    if tcp:
+def _channel(link: Path | None, baud: int, scheme: str) -> ClientChannel:
+    if scheme:
         if link is not None:
-            raise ValueError("--link names a pty: leave it out with --tcp")
+            raise ValueError("--link names a pty, and this is served over TCP: leave it out")
         from birdcage.sim.tcp import TcpChannel
 
-        return TcpChannel()
+        return TcpChannel(scheme)
     if sys.platform == "win32":
         raise ValueError("Windows has no pseudo-terminals: use --tcp and open socket://127.0.0.1:PORT")
     from birdcage.sim.pty import PtyChannel

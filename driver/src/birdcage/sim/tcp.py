@@ -1,4 +1,4 @@
-"""A simulated dish behind a TCP port of this machine, for `socket://127.0.0.1:PORT`."""
+"""A simulated dish behind a TCP port of this machine, for `socket://127.0.0.1:PORT` or a scheme of its own."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ from birdcage.sim.channel import LONGEST_BACKLOG
 class TcpChannel:
     """Listens on 127.0.0.1, on a port that the system chooses; a second client waits until the first has gone."""
 
-    def __init__(self) -> None:
+    def __init__(self, scheme: str = "socket") -> None:
         self.path = ""
+        self._scheme = scheme
         self._port = 0
         self._listener: socket.socket | None = None
         self._client: socket.socket | None = None
@@ -23,7 +24,7 @@ class TcpChannel:
         self._listener = socket.create_server(("127.0.0.1", self._port), backlog=1)
         self._listener.setblocking(False)
         self._port = self._listener.getsockname()[1]
-        self.path = f"socket://127.0.0.1:{self._port}"
+        self.path = f"{self._scheme}://127.0.0.1:{self._port}"
 
     def close(self) -> None:
         """Drop the client and stop listening."""

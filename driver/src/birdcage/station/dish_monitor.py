@@ -80,7 +80,8 @@ class DishMonitor:
         if self._store.state.activity is Activity.UNKNOWN and not self._antenna.strategy.reads_position:
             return self._antenna.reckoning.moves_until  # then it is over by its time, though nothing tells
         # Whoever waits to leave this menu needs an answer from it first.
-        return self._watches.position_due(for_any=not self._reader.may_leave)
+        due = self._watches.position_due(for_any=not self._reader.may_leave)
+        return None if due is None else self._antenna.rotator.next_look(due)
 
     def tick(self) -> None:
         """Look at whatever is due."""
@@ -206,11 +207,11 @@ class DishMonitor:
     def look_afresh(self, *, unsettled: bool) -> None:
         """Somebody else had the console: read the position at once; `unsettled`, until the dish is seen at rest."""
         self._unsettled = self._unsettled or unsettled
-        self._look_again_at = self._store.clock.monotonic()
+        self._look_again_at = self._antenna.rotator.next_look(self._store.clock.monotonic())
 
     def look_again(self) -> None:
         """Read the position twice in short order, to see whether the dish moves."""
-        self._look_again_at = self._store.clock.monotonic() + UNASKED_POLL_S
+        self._look_again_at = self._antenna.rotator.next_look(self._store.clock.monotonic() + UNASKED_POLL_S)
 
     def _stalled(self, axis: str, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")

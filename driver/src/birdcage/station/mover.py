@@ -121,11 +121,15 @@ class Mover(ABC):
             "The skew of this dish can't be turned from here. Nothing was sent.", reason=Reason.UNSUPPORTED
         )
 
+    def _next_look(self) -> float:
+        """Return when to look at the motion next."""
+        return self._antenna.rotator.next_look(self._store.clock.monotonic() + POLL_S)
+
     def await_rest(self, job: Job) -> None:
         """Follow a motion of the firmware's own until the dish rests."""
         job.to_rest = True
         self.forget_target()
-        self._job, self.due = job, self._store.clock.monotonic() + POLL_S
+        self._job, self.due = job, self._next_look()
 
     def await_stream_end(self) -> None:
         """Follow a dish that was sent one target after the other until it rests at, or near, the last one."""
@@ -157,7 +161,7 @@ class Mover(ABC):
         except NoReply as damage:
             if job.damaged or self._job is not job or damage.reason not in DAMAGE:
                 raise
-            job.damaged, self.due = True, self._store.clock.monotonic() + POLL_S
+            job.damaged, self.due = True, self._next_look()
             return None
         if self._job is not job:
             return None  # STOP was taken in the middle of the exchange
@@ -166,7 +170,7 @@ class Mover(ABC):
             self._is_busy = False
             self.activity(Activity.SLEWING, "")
         now = self._store.clock.monotonic()
-        self.due = now + POLL_S
+        self.due = self._next_look()
         if pointing is None:
             self.fail(End.FAULT, "the dish no longer knows where it is", Stopped("The dish lost its position."))
             return None
@@ -217,7 +221,7 @@ class Mover(ABC):
         """Follow a motion from now on, and show it."""
         job.az_deg, job.el_deg = commanded
         self._job, self._last_follow = job, (job.holder, now) if job.follow else None
-        self.due = self._store.clock.monotonic() + POLL_S
+        self.due = self._next_look()
         shown = Motion(
             start.az_deg if start else commanded[0], start.el_deg if start else commanded[1], *commanded, now, eta,
             power.seconds, power.means, stop_proven=power.proven, to_skew_deg=job.skew_deg, rests_at=power.rests_at,

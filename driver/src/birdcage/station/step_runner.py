@@ -113,6 +113,8 @@ class StepRunner:
         arrival = self._long or self._arrival
         if arrival is not None and not arrival.done():
             return self._hearing.due() if isinstance(step, HearAt) else None
+        if isinstance(step, Read):
+            return self._antenna.rotator.next_look(now)
         return self._ends_at if isinstance(step, Send) else now
 
     def begin(self) -> None:

@@ -3,15 +3,27 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 
-from birdcage.antenna.strategy.strategy import StopAction
+from birdcage.antenna.strategy.strategy import StopAction, Unplanned
+from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import separation
-from birdcage.rotator.ladder import StopOrder
-from birdcage.station.state import Motion, Pointing, StopReport
+from birdcage.base.reason import Reason
+from birdcage.rotator.ladder import MoveKind, StopMeans, StopOrder
+from birdcage.station.state import Activity, Motion, Pointing, StopReport
 
 SHORT_DEG = 0.5
+RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
+UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
+BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing", MoveKind.SWEEP: "Sweeping"}
+LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
+"""What a dish in motion shows to work, or not."""
+UNKNOWN = (Reason.UNKNOWN_COMMAND, Reason.UNSUPPORTED)
+"""For what reasons a machine refuses a command that it does not have."""
+OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
+"""Where motion is not at the speed that this program knows, if it moves at all."""
 GOES_ON = "The sweep goes on to its end: nothing else is known to stop it but the power of the dish."
 
 
@@ -51,6 +63,8 @@ class PendingStop:
     """Whether it may move more slowly than the speeds that are known: it was not, or not only, sent by this program."""
     action_is_complete: bool = False
     """Whether what follows the answer was done."""
+    unknown: bool = False
+    """Whether the machine has answered that it knows no such command."""
     note: str = ""
     """What else came of it."""
     order: StopOrder | None = None
@@ -59,6 +73,10 @@ class PendingStop:
     """The motion that was to be stopped, as it was shown; None of one that this program had not sent."""
     unsent: StopAction | None = None
     """What the port has not taken, until it does."""
+
+    def hear(self, answers: Iterable[CommandRefused | None]) -> None:
+        """Take in what the machine has answered."""
+        self.unknown = any(each is not None and each.reason in UNKNOWN for each in answers)
 
     def ended_short(self, at_rest: Pointing) -> bool:
         """Return whether the motion ended so far from its target that it was stopped, and not just over."""

@@ -14,29 +14,28 @@ from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unpla
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
 from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
-from birdcage.rotator.ladder import MoveKind, StopMeans
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.control import Control
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import End, StopConfirmed, StopSent
 from birdcage.station.mover import Mover
 from birdcage.station.state import Activity, Pointing, StopReport, TvSearch
 from birdcage.station.state_store import StateStore
-from birdcage.station.stop_pending import GOES_ON, PendingStop, StopReach
+from birdcage.station.stop_pending import (
+    BUSY_WITH,
+    GOES_ON,
+    LEARNT,
+    OTHERS,
+    RELEASED,
+    UNPLANNED,
+    PendingStop,
+    StopReach,
+)
+from birdcage.station.stop_times import MOST_REPEATS, StopTimes
 
-MOST_REPEATS = 5
 COALESCE_S = 0.2
 """Presses that follow this closely are one STOP."""
-ANSWER_S = 0.3
 POLL_S = 0.05
-READINGS = 4
-"""So many exchanges it takes at most until two positions that can be believed agree."""
-RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
-UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
-BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing", MoveKind.SWEEP: "Sweeping"}
-LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
-"""What a dish in motion shows to work, or not."""
-OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
-"""Where motion is not at the speed that this program knows, if it moves at all."""
 
 
 class Stopper:
@@ -47,6 +46,7 @@ class Stopper:
     ) -> None:
         self._store, self._antenna, self._control = store, antenna, control
         self._mover, self._reader = mover, reader
+        self._times = StopTimes(antenna, store.clock)
         self._calls: deque[tuple[StopReport, StopAction, HeldReason, str]] = deque()
         self.count = 0
         """How often STOP was called: what was asked for before the last call no longer holds."""
@@ -151,7 +151,7 @@ class Stopper:
             repeats = self._pending.sent if self._pending is not None else 0
             self._pending = PendingStop(
                 report=report, sent=repeats + (order is not None), answered=order is None, still_from=None,
-                deadline=now + self._lasts_s(report.means, slowest=slowest), slowest=slowest, order=order,
+                deadline=now + self._times.lasts_s(report.means, slowest=slowest), slowest=slowest, order=order,
                 action_is_complete=not (action.means.is_sent or action.means is StopMeans.RELEASE),
                 unsent=action if report.means is StopMeans.NO_LINK else None,
                 target=shown or (None if self._pending is None else self._pending.target),
@@ -193,18 +193,23 @@ class Stopper:
             if not pending.answered:
                 self._repeat(pending)
                 return
+            if self._climbs_untried(pending):
+                return
             self._see_whether_it_waits(pending)
-            lasts_s = self._lasts_s(pending.report.means, slowest=pending.slowest)
+            lasts_s = self._times.lasts_s(pending.report.means, slowest=pending.slowest)
             pending.deadline = max(pending.deadline, self._store.clock.monotonic() + lasts_s)
         if not pending.action_is_complete:
             pending.action_is_complete = True
             self._complete(pending)
         asked = self._store.clock.monotonic()
+        self.due = self._antenna.rotator.next_look(asked)
+        if self.due > asked:
+            return
         pointing = self._reader.position()
         if self._pending is not pending:
             return
         now = self._store.clock.monotonic()
-        self.due = now + POLL_S
+        self.due = self._antenna.rotator.next_look(now + POLL_S)
         if pointing is None or pointing.modelled:  # two that were not read agree, and prove nothing
             released = bool(self._antenna.gate.released)
             self._finish(pending, None, RELEASED if released else self._strategy.unseen)
@@ -225,20 +230,13 @@ class Stopper:
             )  # fmt: skip
         if self._pending is pending and pending.still_from is not None:
             # An answer that is asked for a little too soon proves nothing, and keeps the wire from one that would.
-            proof_at = self._proof_at(pending, pending.still_from)
+            proof_at = self._times.proof_at(pending, pending.still_from)
             round_trip_s = self._antenna.rotator.line.round_trip_s or 0.0
             self.due = proof_at if now + POLL_S < proof_at < now + round_trip_s else self.due
 
     def _rests(self, pending: PendingStop, still_from: Pointing, asked: float) -> bool:
-        """Return whether the readings have agreed for long enough.
-
-        The first was made before it came, and the last after it was `asked` for: so late an answer proves nothing.
-        """
-        return asked >= self._proof_at(pending, still_from) and self._strategy.is_there(self._store.clock)
-
-    def _proof_at(self, pending: PendingStop, still_from: Pointing) -> float:
-        still_s = self._strategy.still_s(slowest=pending.slowest)
-        return still_from.at + max(still_s, self._strategy.turns_s(still_from.dish)) / self._store.clock.rate
+        """Return whether the readings have agreed for long enough when the last one was `asked` for."""
+        return asked >= self._times.proof_at(pending, still_from) and self._strategy.is_there(self._store.clock)
 
     def _learn(self, means: StopMeans, *, works: bool) -> None:
         """Keep what a dish in motion has shown of a rung."""
@@ -259,7 +257,9 @@ class Stopper:
                 self._store.change(search=TvSearch.OFF_UNTIL_POWER_UP)
                 self._antenna.rotator.make_ready()
             now = self._store.clock.monotonic()
-            pending.deadline = max(pending.deadline, now + self._lasts_s(pending.report.means, slowest=pending.slowest))
+            pending.deadline = max(
+                pending.deadline, now + self._times.lasts_s(pending.report.means, slowest=pending.slowest)
+            )
             pending.note = "The TV search was ended. " if pending.report.means is StopMeans.SEARCH else ""
         except CommandRefused as refused:
             pending.note = f"The TV search was not ended: {refused} "
@@ -270,25 +270,25 @@ class Stopper:
             return True
         return means.is_undecided and self._store.state.activity in OTHERS
 
-    def _lasts_s(self, means: StopMeans, *, slowest: bool) -> float:
-        """Return how long the dish may take to rest, and to be seen at rest by readings that take their time."""
-        rotator = self._antenna.rotator
-        round_trip_s = rotator.line.round_trip_s if rotator.is_open else None
-        lasts_s = self._strategy.lasts_s(means, self._store.clock) + self._strategy.still_s(slowest=slowest)
-        return lasts_s / self._store.clock.rate + READINGS * (round_trip_s or 0.0)
-
     def _answered(self, pending: PendingStop) -> bool:
-        rotator, motion, clock = self._antenna.rotator, self._antenna.motion, self._store.clock
-        within_s = ANSWER_S
-        if pending.sent >= MOST_REPEATS:
-            within_s = rotator.line.delay_s
-            if pending.report.means is StopMeans.LOOK and motion is not None:
-                # It may be waiting for a motor before it reads on.
-                within_s += max(0.0, motion.over_by(clock.rate) - clock.monotonic())
         try:
-            return bool(rotator.settle(within_s))
+            answers = self._antenna.rotator.settle(self._times.answer_s(pending))
         except NoReply:
             return False
+        pending.hear(answers)
+        return bool(answers)
+
+    def _climbs_untried(self, pending: PendingStop) -> bool:
+        """Send what is next where the machine says that it has no STOP command; return whether something is."""
+        if not pending.unknown or pending.report.means is not StopMeans.COMMAND:
+            return False
+        self._learn(StopMeans.COMMAND, works=False)
+        action = self._at_once()
+        if action.order is None:
+            return False
+        self._send(pending, action, self._store.clock.monotonic())
+        self.due = self._store.clock.monotonic()
+        return True
 
     def _see_whether_it_waits(self, pending: PendingStop) -> None:
         """A dish that was found to wait for its motors before it reads on takes no new target: let its move end."""
@@ -331,7 +331,7 @@ class Stopper:
             self._antenna.moving.forget()  # it goes otherwise than it was modelled
             if action.order is None:
                 self._look_on(pending, action)
-                pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
+                pending.deadline = now + self._times.lasts_s(action.means, slowest=pending.slowest)
                 return
             self._send(pending, action, now)
         elif self._strategy.closes_in(earlier.dish, pointing.dish):
@@ -364,7 +364,7 @@ class Stopper:
             self._antenna.rotator.stop_now(pending.order)
         self.reach = StopReach.SENT
         pending.report = replace(pending.report, means=action.means, sentence=action.sentence)
-        pending.deadline = now + self._lasts_s(action.means, slowest=pending.slowest)
+        pending.deadline = now + self._times.lasts_s(action.means, slowest=pending.slowest)
         pending.answered = pending.action_is_complete = False
         pending.sent += 1
 

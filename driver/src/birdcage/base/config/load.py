@@ -18,6 +18,7 @@ from birdcage.base.config.sections import DishSettings
 from birdcage.base.config.settings import Problem, Settings, Source
 from birdcage.base.config.signals import OWN_TUNER, PRESETS, RECEIVER, SignalProfile
 from birdcage.base.config.value import BadValue, did_you_mean, from_text, from_toml, nearest
+from birdcage.base.machine_port import machine_at
 from birdcage.base.text import clean, clean_all
 
 S = TypeVar("S", bound=Section)
@@ -103,6 +104,7 @@ class _Reader:
         # A table here is a mistyped [dish.facts], which may hold a limit.
         limits = any(isinstance(value, dict) for value in table.values())
         dish = self._section(DishSettings(), table, ("dish",), limits, also=("facts",))
+        dish = self._with_named_machine(dish)
         names = [section.section.rpartition(".")[2] for section in FACT_PARTS]
         parts = {name: self._part_of(facts, ("dish", "facts", name)) for name in names}
         read: dict[str, Section] = {}
@@ -113,6 +115,17 @@ class _Reader:
             also = names if of_machine else ()
             read[section.section] = self._section(section(), own, path, limits_motion=True, also=also)
         return dish, MappingProxyType(read)
+
+    def _with_named_machine(self, dish: DishSettings) -> DishSettings:
+        """Return the dish as its port names it, where that has a machine's own scheme: no other answers there."""
+        named = machine_at(dish.port)
+        if named is None or dish.firmware == named:
+            return dish
+        if dish.firmware is not None:
+            what = f"is {dish.firmware!r}, and does not count: {dish.port} is a port of {named!r}"
+            self._complain(("dish", "firmware"), what, limits_motion=False)
+        self._sources["dish.firmware"] = "port"
+        return dataclasses.replace(dish, firmware=named)
 
     def _part_of(self, table: dict[str, object], path: tuple[str, ...]) -> dict[str, object]:
         """Take a table out of the one that it stands in; empty if it is not there, or is none."""

@@ -27,7 +27,7 @@ from birdcage.base.config.station_section import StationSection
 from birdcage.base.config.tracking_sections import AutotrackSettings, HookSettings, RadioSettings, TrackingSettings
 from birdcage.base.text import clean
 
-Source = Literal["file", "environment", "flag"]
+Source = Literal["file", "environment", "flag", "port"]
 
 
 @dataclass(frozen=True, slots=True)

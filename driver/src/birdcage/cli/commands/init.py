@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 HOLDER = "birdcage init"
 PATIENCE_S = 180.0
 """How long a dish is waited for of which not even the model is known."""
+LEAST_S = 10.0
+"""The same of one that has no boot to wait for: it has to be met."""
 
 DISABLE = (
     "This saves {setting} as {off} in the dish, after a backup of its whole table. "
@@ -82,7 +84,7 @@ def command(switch: str | None, yes: bool, timeout_s: float | None) -> None:
     if switch is not None and not at_once:
         _confirm(_consequence(dish_wanted.model, disabled=switch == "disable"), yes)
     if timeout_s is None:
-        timeout_s = PATIENCE_S if dish_wanted.model is None else dish_wanted.model.boot_s
+        timeout_s = PATIENCE_S if dish_wanted.model is None else max(dish_wanted.model.boot_s, LEAST_S)
     with open_dish(dish_wanted) as dish:
         follower = BootFollower(dish)
         dish.come_up(timeout_s, patient=True, hear=follower.hear, each_time=follower.show)

@@ -29,6 +29,8 @@ def command(listing: bool, step: str | None) -> None:
     Leave at any time and go on later: it begins with the first open step. Nothing moves until you confirm that the
     area is clear. Ctrl+C stops the dish. --list and --json print how far it is.
     """
+    from birdcage.base.config import load
+    from birdcage.base.machine_port import port_of
     from birdcage.cli.dish import open_dish
     from birdcage.cli.say import say
     from birdcage.cli.talk import Conversation, TypedLines
@@ -56,6 +58,9 @@ def command(listing: bool, step: str | None) -> None:
         # Another dish than was thought: its firmware has been saved, and counts over what was given at the start.
         for name in ("firmware", "baud"):
             flags().values.pop(name, None)
+        given, kept = flags().get("port"), load(dish_wanted.paths.config_file, environ={}).dish.port
+        if port_of(firmware, given, kept) != given:
+            flags().values.pop("port", None)
         dish_wanted = replace(wanted(), firmware=firmware, firmware_given=True)
         say(f"Beginning again, speaking {firmware}.")
     say("The setup is complete." if finished else "Setup is not finished. `birdcage setup` continues it.")

@@ -52,7 +52,7 @@ class DishStep(Step):
     def take(self, choice: str, values: Mapping[str, str]) -> None:  # noqa: ARG002 - a step's signature
         """Keep the firmware without a version, or speak another one."""
         if choice.startswith(OTHER):
-            speak_another(self.bench, choice)
+            speak_another(self.bench, choice.removeprefix(OTHER))
             return
         model = self.bench.state.dish
         assert model is not None, "the choice is only there with a model"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from birdcage.base.config.edit import Value
 from birdcage.base.errors import BirdcageError
+from birdcage.base.machine_port import machine_at
 from birdcage.base.reason import Reason
 from birdcage.setup.context import SetupContext
 from birdcage.setup.step import Choice
@@ -28,13 +30,17 @@ def other_firmwares(bench: SetupContext, *, likely: bool = False, heard: str = "
     )
 
 
-def speak_another(bench: SetupContext, choice: str) -> None:
-    """Keep the firmware of that choice, at its own rate. The session has to begin anew to speak it."""
-    firmware = choice.removeprefix(OTHER)
+def speak_another(bench: SetupContext, firmware: str, port: str | None = None) -> None:
+    """Keep a firmware, at its own rate, and the port where it was found. The session has to begin anew to speak it."""
     if bench.via:
         words = f"{bench.via} speaks to the dish. End it, and start it again with --firmware {firmware}."
         raise BirdcageError(f"{words} Nothing was changed.", reason=Reason.BUSY)
-    bench.write({"dish.firmware": firmware, "dish.baud": None})
+    keys: dict[str, Value] = {"dish.firmware": firmware, "dish.baud": None}
+    if port is None and machine_at(bench.settings.dish.port) not in (None, firmware):
+        port = bench.state.port  # the one that is kept names another machine
+    if port is not None:
+        keys |= {"dish.port": port, "link.usb_identity": None}
+    bench.write(keys)
     for step in ("link", "dish"):
         bench.forget(step)  # what was kept of them was of another dish
     bench.begin_anew = firmware

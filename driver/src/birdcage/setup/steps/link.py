@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from birdcage.base.config.edit import Value
+from birdcage.base.machine_port import machine_at
 from birdcage.base.reason import Reason
 from birdcage.detection.detecting import heard_firmware
 from birdcage.detection.probe import BaudFinding, Saw
@@ -215,7 +216,7 @@ class LinkStep(Step):
         if choice == "keep":
             self._keep()
         elif choice.startswith(OTHER):
-            speak_another(self.bench, choice)
+            speak_another(self.bench, choice.removeprefix(OTHER))
         elif choice == "probe":
             self.begin(self._probe(), "listening at several speeds, some seconds each")
         elif choice == "connect":
@@ -231,6 +232,10 @@ class LinkStep(Step):
             self._connect(self._ports[int(choice.removeprefix("port-")) - 1].device, self.bench.settings.dish.baud)
 
     def _connect(self, port: str, baud: int | None) -> None:
+        named, spoken = machine_at(port), self.bench.state.dish
+        if named is not None and (spoken is None or spoken.firmware != named):
+            speak_another(self.bench, named, port)
+            return
         heard = any(each.saw is Saw.TEXT and each.baud == baud for each in self.findings)
         self.findings = ()
         self.begin(self._change_over(port, baud, BOOT_S if heard else ANSWER_S), f"waiting for an answer on {port}")

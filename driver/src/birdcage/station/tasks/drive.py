@@ -63,24 +63,26 @@ class DriveTask(Task):
         if here is None:
             raise PositionUnknown("The dish does not know where it points, so it is not driven.")
         targets = []
+        # Until the next reading at least, so that it does not halt meanwhile.
+        ahead_s = max(AHEAD_S, (model.least_look_interval_s or 0.0) + EVERY_S)
         motion, in_turn = self._antenna.motion, self._antenna.strategy.one_at_a_time
         # One move at a time begins where the last one ends; else each replaces the last, and is counted from here.
         az_deg, el_deg = motion.rest if in_turn and motion is not None else (here.azimuth, here.elevation)
         if self._az:
-            to_deg = az_deg + self._az * (EACH_DEG if in_turn else _ahead_deg(model.azimuth))
+            to_deg = az_deg + self._az * (EACH_DEG if in_turn else _ahead_deg(model.azimuth, ahead_s))
             if gate.cable_limits is not None and gate.cable_deg is not None:
                 low, high = (here.azimuth + limit - gate.cable_deg for limit in gate.cable_limits)
                 to_deg = min(max(to_deg, low), high)
             if abs(to_deg - here.azimuth) > model.azimuth.step_deg:
                 targets.append((model.azimuth.index, to_deg))
         if self._el:
-            to_deg = el_deg + self._el * (EACH_DEG if in_turn else _ahead_deg(model.elevation))
+            to_deg = el_deg + self._el * (EACH_DEG if in_turn else _ahead_deg(model.elevation, ahead_s))
             to_deg = gate.nearest_el_deg(to_deg)
             if abs(to_deg - here.elevation) > model.elevation.step_deg:
                 targets.append((model.elevation.index, to_deg))
         return targets
 
 
-def _ahead_deg(axis: Axis) -> float:
-    way_deg = (axis.speed_deg_s or 0.0) * AHEAD_S
+def _ahead_deg(axis: Axis, ahead_s: float) -> float:
+    way_deg = (axis.speed_deg_s or 0.0) * ahead_s
     return min(max(way_deg, LEAST_AHEAD_DEG), MOST_AHEAD_DEG)
