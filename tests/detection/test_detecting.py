@@ -97,9 +97,12 @@ def test_a_dish_that_was_left_in_a_submenu_is_found_and_stays_there(firmware, me
     assert desk.device.shell.menu == menu
 
 
+KIN = ["g2", "g2plus", "pathway-x1", "pathway-x2"]
+
+
 @pytest.mark.parametrize(("firmware", "menu", "may_be"), [
-    ("g2", "nvs", ["g2", "g2plus"]), ("g2plus", "root", ["g2", "g2plus"]), ("g2plus", "mot", ["g2", "g2plus"]),
-    ("g2plus", "nvs", ["g2", "g2plus"]),
+    ("g2", "nvs", ["g2", "g2plus"]), ("g2plus", "nvs", ["g2", "g2plus"]), ("g2plus", "root", KIN),
+    ("g2plus", "mot", KIN), ("pathway-x1", "root", KIN), ("pathway-x2", "root", KIN), ("pathway-x2", "mot", KIN),
 ])  # fmt: skip
 def test_what_a_g2_and_its_kin_all_show_names_all_of_them(firmware, menu, may_be) -> None:
     desk = Desk(f"{firmware}?seed=1")
@@ -243,7 +246,7 @@ def test_on_a_server_whose_rate_is_its_own_the_prompt_alone_counts() -> None:
 def test_two_that_cannot_be_told_apart_are_both_named() -> None:
     odd = Foreign(b"", {b"\r": b"\r\nMOT>", b"?\r": b"?\r\na\r\ng\r\nq\r\nMOT>"})
     found = detect_firmware("socket://here:1", VirtualClock(), open_port=lambda _port, _baud: odd)
-    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "g2plus", "hal000", "hal205"])
+    assert (found.firmware, sorted(found.candidates)) == (None, ["g2", "g2plus", "hal000", "hal205", "pathway-x1", "pathway-x2"])
     assert "may be any of" in found.sentence
     assert "Say which with --firmware." in found.sentence
 

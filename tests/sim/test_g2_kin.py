@@ -66,3 +66,53 @@ def test_one_with_its_search_on_homes_at_power_up():
     dish.clock.advance(60.0)
     assert dish.device.truth().homed
     assert dish.port.read().decode().endswith("AZ - Angle: 1 Wrap: 0\r\nTRK>")
+
+
+def test_an_x1_homes_one_axis_at_a_time_and_its_azimuth_ends_at_0():
+    dish = Terminal("pathway-x1?seed=1&unhomed=1")
+    dish.type("mot")
+    assert dish.type("h 0", 10.0).endswith("MOT>")
+    assert dish.type("h 1", 10.0).endswith("MOT>")
+    truth = dish.device.truth()
+    assert (truth.homed, min(truth.az_deg, 360.0 - truth.az_deg) < 0.1) == (True, True)
+
+
+def test_an_x1_has_no_menu_that_no_source_has_seen():
+    assert "Invalid command." in Terminal("pathway-x1?seed=1").type("nvs")
+
+
+def test_an_x2_answers_with_motor_hundredths_and_steps():
+    dish = Terminal("pathway-x2?seed=1&lag_max_s=0", "\r\n")
+    assert dish.type("mot") == "mot\r\nMOT>"
+    assert dish.type("") == "\r\nMOT>"
+    assert dish.type("a 0 170.00") == "a 0 170.00\r\nm 0  a 17000  np 111714\r\nMOT>"
+    assert "m 1  a 4500  np " in dish.type("a 1 45.00")
+    dish.clock.advance(10.0)
+    assert dish.device.truth().az_deg == pytest.approx(170.0, abs=0.1)
+
+
+@pytest.mark.parametrize(("ack", "answered"), [("executed", False), ("at_once", True)])
+def test_an_x2_waits_before_it_executes_and_answers_then_or_at_once(ack, answered):
+    dish = Terminal(f"pathway-x2?seed=1&lag_min_s=14.9&lag_max_s=14.9&lag_ack={ack}", "\r\n")
+    dish.type("mot")
+    assert ("m 0  a 17000" in dish.type("a 0 170.00", 14.0)) is answered
+    assert not dish.device.truth().moving
+    dish.clock.advance(1.0)
+    assert dish.device.truth().moving
+    dish.clock.advance(10.0)
+    assert dish.device.truth().az_deg == pytest.approx(170.0, abs=0.1)
+
+
+def test_the_wait_of_an_x2_is_another_one_each_time():
+    dish = Terminal("pathway-x2?seed=1", "\r\n")
+    dish.type("mot")
+    waits = []
+    for azimuth in (10, 20, 30, 40, 50):
+        dish.type(f"a 0 {azimuth}", 0.0)
+        waited = 0.0
+        while "MOT>" not in dish.port.read().decode() and waited < 20.0:
+            dish.clock.advance(0.1)
+            waited += 0.1
+        waits.append(waited)
+    assert max(waits) <= 15.2
+    assert len({round(each, 1) for each in waits}) == len(waits)

@@ -65,7 +65,7 @@ class WireContract:
             motion = self._moving(stage)
             stage.twin.mute()
             stage.station.stop("contract")
-            stage.until(lambda: stage.state.link.state is LinkPhase.SILENT, NOTICED_S, "the silence was noticed")
+            self._until(stage, LinkPhase.SILENT)
             self._claims_nothing(stage, motion)
             stop = stage.state.last_stop
             require(stop is not None and stop.confirmed is not True, f"STOP reached nothing and is confirmed: {stop}")

@@ -26,7 +26,9 @@ REFUSALS = (
 def kin_dialect(name: str, *menus: str, line_end: bytes = b"\r") -> ConsoleDialect:
     """Return the dialect of a relative of the G2 with these menus, each below a prompt of its own name.
 
-    Only `MOT>` was read of any of them; the root's `TRK>` is the G2's (docs/reference/g2-kin.md, *Menus*).
+    Only `MOT>` was read of any of them; the root's `TRK>` is the G2's (docs/reference/g2-kin.md, *Menus*). So is
+    `Step to Position EL angle error: 2147483647` of an axis that is not homed: one that does not tell where it is would
+    not show otherwise that nothing moves.
     """
     return ConsoleDialect(
         troubles=MOTOR_TROUBLES,
@@ -37,5 +39,5 @@ def kin_dialect(name: str, *menus: str, line_end: bytes = b"\r") -> ConsoleDiale
         stranger=(
             f"This dish does not answer like a {name} (prompt `{{prompt}}`): it has no menu `mot`. Nothing was moved."
         ),
-        refusals=REFUSALS,
+        refusals=(*REFUSALS, (re.compile(r"\bStep to Position\b.*\berror\b", re.IGNORECASE), Reason.FAILED)),
     )

@@ -158,6 +158,9 @@ def _interval_s(model: Facts, across: Floats, up: Floats, rests_s: float) -> Flo
             2.0 * one_s,
             durations(model.azimuth, across * interval) + durations(model.elevation, up * interval) + rests_s,
         )
-    # Where the azimuth has no time to spare it lags on average by what the course has left for it.
-    capped: Floats = np.minimum(interval, 8.0)
+    # Where the azimuth has no time to spare it lags on average by what the course has left for it. A dish that takes
+    # its time even for the least way is never sooner than that.
+    least = np.full(1, 1e-6)
+    least_s = float((durations(model.azimuth, least) + durations(model.elevation, least))[0])
+    capped: Floats = np.minimum(interval, max(8.0, 2.0 * least_s))
     return capped

@@ -1,0 +1,143 @@
+"""What the dialects of the G2's kin make of answers that no source quotes."""
+
+from __future__ import annotations
+
+import pytest
+from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.link.link import Link
+from birdcage.protocol.g2plus import CarryoutG2PlusProtocol
+from birdcage.protocol.pathway_x2 import PathwayX2Protocol
+from birdcage.protocol.trk.answers import ANGLE
+from birdcage.rotator.facts import Readback
+from birdcage.sim.port import SimPort, open_device
+from birdcage.sim.trk.nvram import NvramSetting
+
+
+class Bench:
+    """A dialect on a simulated dish."""
+
+    def __init__(self, dish, address):
+        self.clock, self.told = VirtualClock(), []
+        self.device = open_device(address, clock=self.clock)
+        self.dish = dish
+        dish.attach(Link(SimPort(self.device, "bench"), self.clock), self.clock)
+        dish.on_facts = self.told.append
+
+    def lines(self):
+        with self.device.lock:
+            self.device.machine.run()
+            return [line for _, line in self.device.shell.received]
+
+    def over(self, seconds):
+        end = self.clock.monotonic() + seconds
+        while not self.dish.slew_is_over():
+            assert self.clock.monotonic() < end
+            self.clock.advance(0.1)
+        return self.clock.monotonic()
+
+
+def g2plus(options=""):
+    return Bench(CarryoutG2PlusProtocol(), f"g2plus?seed=1{options}")
+
+
+@pytest.mark.parametrize(("bare", "readback"), [("angles", Readback.ALWAYS), ("error", None), ("nothing", None),
+                                                ("target", None)])  # fmt: skip
+def test_the_first_look_tells_whether_it_tells_where_it_is(bare, readback):
+    bench = g2plus(f"&bare_a={bare}")
+    bench.dish.meet()
+    assert [facts.readback for facts in bench.told] == ([] if readback is None else [readback])
+    asked = bench.lines().count("a")
+    assert asked == (1 if readback else 2)
+    bench.dish.meet()
+    assert bench.lines().count("a") == asked, "it is asked once"
+    if readback is None:
+        with pytest.raises(PositionUnknown):
+            bench.dish.get_position()
+        bench.dish.home_motor(1)
+        bench.dish.meet()
+        assert bench.lines().count("a") > asked, "after homing it may tell"
+
+
+def test_an_axis_that_is_not_homed_is_told_too():
+    bench = g2plus("&unhomed=1")
+    bench.dish.meet()
+    assert [facts.readback for facts in bench.told] == [Readback.ALWAYS]
+    with pytest.raises(PositionUnknown, match="not homed"):
+        bench.dish.get_position()
+
+
+def test_row_20_that_is_another_one_is_never_written():
+    bench = g2plus()
+    bench.device.board.nvram.rows = {20: NvramSetting("Motor Type", "bool", 0)}
+    for ask in (bench.dish.kill_search, bench.dish.restore_search):
+        with pytest.raises(NoReply, match="'Motor Type', not its TV search"):
+            ask()
+    assert not [line for line in bench.lines() if line.startswith("e") or line == "s"]
+    assert bench.dish.survey().search_disabled is None
+
+
+def test_the_search_is_switched_off_and_on_again_by_row_20():
+    bench = g2plus("&homes_at_boot=1")
+    assert bench.dish.survey().search_disabled is False
+    bench.dish.kill_search()
+    assert "e 20 1" in bench.lines()
+    assert "s" in bench.lines()
+    bench.dish.restore_search()
+    assert bench.lines()[-3:] == ["e 20 0", "s", "d 20"]
+
+
+def test_both_axes_are_sent_in_a_row_and_the_answers_are_awaited():
+    bench = g2plus("&bare_a=error")
+    bench.dish.meet()
+    bench.dish.begin_slew(120.0, 40.0, None)
+    assert not bench.dish.slew_is_over()
+    bench.over(1.0)
+    assert bench.lines()[-2:] == ["a 0 120.00", "a 1 40.00"]
+
+
+@pytest.mark.parametrize(("options", "error"), [("&low_el=50", NoReply), ("&unhomed=1", CommandRefused)])
+def test_one_axis_of_two_is_no_direction(options, error):
+    bench = g2plus(f"&bare_a=error{options}")
+    bench.dish.meet()
+    bench.dish.begin_slew(120.0, 40.0, None)
+    with pytest.raises(error):
+        bench.over(3.0)
+
+
+def test_a_line_that_is_not_answered_is_a_silence():
+    bench = g2plus("&bare_a=error")
+    bench.dish.meet()
+    bench.device.wire.to_dish.silent = True
+    bench.dish.begin_slew(120.0, 40.0, None)
+    with pytest.raises(NoReply, match=r"did not answer `a 0 120\.00`"):
+        bench.over(10.0)
+
+
+@pytest.mark.parametrize("ack", ["executed", "at_once"])
+def test_an_x2_is_over_when_its_latest_execution_may_be(ack):
+    bench = Bench(PathwayX2Protocol(), f"pathway-x2?seed=1&lag_min_s=14.9&lag_ack={ack}&az_speed=10&el_speed=10")
+    bench.dish.meet()
+    for azimuth, elevation in ((170.0, 45.0), (180.0, 50.0)):
+        begun = bench.clock.monotonic()
+        bench.dish.begin_slew(azimuth, elevation, None)
+        over = bench.over(120.0)
+        truth = bench.device.truth()
+        assert not truth.moving
+        assert (truth.az_deg, truth.el_deg) == (pytest.approx(azimuth, abs=0.1), pytest.approx(elevation, abs=0.1))
+        assert over - begun >= 30.0
+    assert over - begun < 35.0, "a short way is over soon after both waits"
+    assert bench.lines().count("a") == 0, "it is never asked where it is"
+    assert bench.lines()[-5:] == ["", "a 0 180.00", "", "a 1 50.00", ""]
+
+
+def test_an_x2_that_answers_with_another_angle_goes_nobody_knows_where():
+    answer = PathwayX2Protocol.move_answer
+    line = "m 0  a 17000  np 111714"
+    assert answer.told(0, [line]) == "17000"
+    assert answer.told(1, [line]) is None
+    assert answer.confirms("17000", 170.0, turns=True)
+    assert not answer.confirms("1700", 170.0, turns=True)
+    assert PathwayX2Protocol().says_target(line)
+    assert ANGLE.told(0, ["Angle = 46.00"]) == "46.00"
+    assert ANGLE.told(0, [line]) is None
