@@ -137,6 +137,9 @@ DISH_FAULTS = (
         expect={
             REST: Expect("silent", fault="reboot", held="link"),
             MOVING: Expect("silent", fault="reboot", held="link", motion="link"),
+            # No line of its boot log is known.
+            "g2plus at rest": Expect("silent", fault="unhomed", held="link"),
+            "g2plus in mid-move": Expect("silent", fault="unhomed", held="link", motion="link"),
         },
     ),
     Fault(

@@ -23,6 +23,7 @@ OTHER_PORT = "/dev/ttyUSB1"
 STEP_S = 0.1
 ADDRESSES = {
     "g2": "g2?seed=1&az=-180&az_speed=10&el_speed=3",
+    "g2plus": "g2plus?seed=1&az=-180&az_speed=10&el_speed=3",
     "hal205": "hal205?seed=1&boot_home_s=20&search_finds=0",
     "hal000": "hal000?seed=1&boot_home_s=20&search_finds=0",
 }
