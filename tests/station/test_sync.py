@@ -33,10 +33,10 @@ def stage(twins):
         yield stage
 
 
-def met(twins, settings=None, **stands):
+def met(twins, settings=None, machine="starter", **stands):
     """A program that has just met one that stands there."""
     make = lambda clock: twins.StarterTwin(clock, **stands)  # noqa: E731
-    stage = Stage(MachineBench("starter", make, stops=()), settings=settings)
+    stage = Stage(MachineBench(machine, make, stops=()), settings=settings)
     stage.until(lambda: stage.state.surveyed, 10.0, "it was met")
     stage.step(1.0)
     return stage
@@ -190,6 +190,21 @@ def test_the_next_program_knows_it(desk, turn_deg):
         later.step(1.0)
     with desk.meet(turn_deg=left) as later:
         assert later.state.position.az_deg == pytest.approx(250.0), "it was left elsewhere, and that was kept"
+
+
+def test_one_that_is_known_for_what_it_is_only_once_met(desk):
+    for _ in range(2):
+        with desk.meet(machine="late_starter", turn_deg=120.0) as stage:
+            if stage.state.position is None:
+                assert stage.state.position_lost == "unsynced"
+                stage.do(Sync(320.0, None, "you"))
+            assert stage.state.position.az_deg == pytest.approx(320.0)
+            stage.step(1.0)
+    with desk.meet(machine="late_starter", turn_deg=120.0) as stage:
+        assert stage.state.position is not None
+        stage.twin.restart()
+        stage.step(3.0)
+        assert stage.state.position_lost == "unsynced"
 
 
 @pytest.mark.parametrize("stands_deg", [119.0, -240.0, 0.0])

@@ -53,8 +53,8 @@ class AzEl:
     def facts(self, facts: Facts) -> None:
         """Take what the machine itself tells: where its zeros point stays."""
         self._rotator.facts = facts
-        if self._told is not None:
-            self._told = facts.told_zero(self._told.zero_deg)
+        if self._told is not None:  # it may be known only now for one that needs no telling
+            self._told = facts.told_zero(self._told.zero_deg) if facts.zero_at_power_up else None
 
     def tell_zero(self, zero_deg: Mapping[str, float] | None) -> None:
         """Take in where the zeros of the machine point, by the names of its axes; None: not known (any more)."""

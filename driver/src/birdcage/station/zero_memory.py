@@ -65,8 +65,6 @@ class ZeroMemory:
         self._kept: ZeroAsLeft | None = None
         """What is on disk, or on its way there."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
-        if not antenna.rotator.facts.zero_at_power_up:
-            return
         reader.recall_zero = self.recall
         store.subscribe(self._hear, PositionRead, ActivityChanged)
         signals.port_found.connect(self.meet)
@@ -74,13 +72,18 @@ class ZeroMemory:
 
     def meet(self, port: str) -> None:
         """Take in that the machine is at `port` from now on. What was told counts if it stands as it was left."""
-        self._reader.tell_zero(None)
+        self._forget()
         identity = self._identify(port)
-        self._file, self._made = None, made_at(port)
+        self._file = self._kept = None
+        self._made = made_at(port)
         if identity is not None and self._state_folder is not None:
             self._file = dish_folder(self._state_folder, identity) / FILE
             self._kept = read_zero(self._file, self._antenna.rotator.facts)
         self._left = self._kept
+
+    def _forget(self) -> None:
+        if self._antenna.rotator.facts.zero_deg:
+            self._reader.tell_zero(None)
 
     def recall(self) -> bool:
         """Take up what was told earlier, if the machine stands where it was left, and had power since."""
@@ -104,7 +107,7 @@ class ZeroMemory:
     def drop(self) -> None:
         """The machine has restarted: its zeros are elsewhere."""
         self._left = None
-        self._reader.tell_zero(None)
+        self._forget()
         self._keep(None)
 
     def close(self) -> None:

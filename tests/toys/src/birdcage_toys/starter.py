@@ -20,3 +20,14 @@ class Starter(Pushy):
             self._hooks.on_restart(line.text)
         else:
             super()._hear(line)
+
+
+class LateStarter(Starter):
+    """Known for what it is only once it was met."""
+
+    facts = replace(Starter.facts, firmware="late_starter", zero_at_power_up=())
+
+    def meet(self):
+        super().meet()
+        self.facts = replace(self.facts, zero_at_power_up=("pan",))
+        self._hooks.on_facts(self.facts)
