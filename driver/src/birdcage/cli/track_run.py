@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from birdcage.cli.station_command import StationCommand
     from birdcage.pursuit.attached_desk import AttachedDesk
     from birdcage.pursuit.desk_setup import ControllerName
+    from birdcage.sky.made_up_pass import PassWish
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
     from birdcage.station.pursuit_state import Pursuit
@@ -42,7 +43,8 @@ class TrackOrder:
     """What is to be followed, and how."""
 
     text: str
-    target: Target
+    target: Target | PassWish
+    """Or what a made-up pass is to be like: it is laid once the dish is ready for it."""
     observer: Observer
     controller: ControllerName | None = None
     time_offset_s: float | None = None
@@ -63,11 +65,27 @@ def _follow_there(dish: DeskElsewhere, order: TrackOrder) -> None:
     dish.come_up(15.0)
     need_position(dish)
     dish.meet_desk()
-    dish.desk.choose(order.text, order.target)
+    dish.desk.choose(order.text, _target(dish, order))
     dish.await_desk(lambda: dish.desk.now.choice == order.text)
     _give(dish.desk, order)
     say(f"{dish.station.via} follows it. Ctrl+C stops the dish; if this command ends otherwise, that goes on.")
     _Watch(dish, dish.desk, order, dish.holder).run()
+
+
+def _target(dish: StationCommand, order: TrackOrder) -> Target:
+    from birdcage.sky.made_up_pass import PassWish
+
+    if isinstance(order.target, PassWish):
+        return synthetic(order.target, dish.station.clock.utc(), order.observer)
+    return order.target
+
+
+def synthetic(wish: PassWish, now: datetime, observer: Observer) -> Target:
+    """Return a satellite that makes such a pass. OutOfRange where none does."""
+    from birdcage.sky.made_up_pass import made_up_pass
+    from birdcage.sky.targets.model import Satellite
+
+    return Satellite(made_up_pass(wish, now, observer))
 
 
 def _give(desk: PursuitDesk | AttachedDesk, order: TrackOrder) -> None:
@@ -89,7 +107,7 @@ def _follow_here(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     )  # fmt: skip
     desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
     try:
-        desk.choose(order.text, order.target)
+        desk.choose(order.text, _target(dish, order))
         _give(desk, order)
         desk.start()  # so that the first thing it tells is what came of all of that
         _Watch(dish, desk, order, HOLDER).run()

@@ -36,28 +36,58 @@ def demo_orbits(now: datetime, observer: Observer) -> tuple[ElementSet, ...]:
     """
     if now.tzinfo is None:
         raise ValueError("the time must say its zone")
-    days = (now - _J2000).total_seconds() / 86400.0
-    greenwich_deg = (280.46061837 + 360.98564736629 * days) % 360.0
+    greenwich_deg = _greenwich_deg(now)
     laid = [
         *(_low(one, number, observer, greenwich_deg) for number, one in enumerate(LOW, 1)),
         *(_medium(one, number, observer, greenwich_deg) for number, one in enumerate(MEDIUM, 1)),
         *(_high(one, number, observer, greenwich_deg) for number, one in enumerate(HIGH, 1)),
         *(_stationary(offset, observer, greenwich_deg) for offset in STATIONARY),
     ]
-    return tuple(
-        ElementSet(
-            name=f"DEMO {orbit.name}",
-            norad_id=FIRST_ID + index,
-            epoch=now,
-            inclination_deg=orbit.inclination_deg,
-            raan_deg=round(orbit.raan_deg % 360.0, 4),
-            eccentricity=orbit.eccentricity,
-            argument_of_perigee_deg=orbit.perigee_deg,
-            mean_anomaly_deg=round(orbit.mean_anomaly_deg % 360.0, 4),
-            mean_motion_rev_day=round(orbit.mean_motion_rev_day, 8),
-            source=SOURCE,
-        )
-        for index, orbit in enumerate(laid)
+    return tuple(_elements(orbit, f"DEMO {orbit.name}", FIRST_ID + index, now) for index, orbit in enumerate(laid))
+
+
+def turning_orbit(
+    name: str, norad_id: int, now: datetime, tca_s: float, height_km: float, place: tuple[float, float]
+) -> ElementSet:
+    """Return the elements, with `now` (aware) as their epoch, of a circular orbit eastward that turns at a place.
+
+    `tca_s` seconds later it is there: latitude and longitude in degrees, the latitude its northernmost or southernmost.
+    """
+    latitude_deg, longitude_deg = place
+    along_deg = math.copysign(90.0, latitude_deg)
+    node_deg_s, along_deg_s = _drifts(height_km, abs(latitude_deg))
+    orbit = _Orbit(
+        name, abs(latitude_deg),
+        _greenwich_deg(now) + _SIDEREAL_DEG_S * tca_s + longitude_deg - along_deg - node_deg_s * tca_s,
+        along_deg - along_deg_s * tca_s, _mean_motion(height_km),
+    )  # fmt: skip
+    return _elements(orbit, name, norad_id, now)
+
+
+def _drifts(height_km: float, inclination_deg: float) -> tuple[float, float]:
+    """Return how fast J2 turns the node, and how fast the argument of latitude of a circular orbit grows, in deg/s."""
+    mean_motion_deg_s = _mean_motion(height_km) / 240.0
+    drift = 1.5 * _J2 * (_EARTH_KM / (_EARTH_KM + height_km)) ** 2 * mean_motion_deg_s
+    cosine = math.cos(math.radians(inclination_deg))
+    return -drift * cosine, mean_motion_deg_s + drift * (2.5 * cosine**2 - 0.5)
+
+
+def _greenwich_deg(now: datetime) -> float:
+    return (280.46061837 + 360.98564736629 * (now - _J2000).total_seconds() / 86400.0) % 360.0
+
+
+def _elements(orbit: _Orbit, name: str, norad_id: int, now: datetime) -> ElementSet:
+    return ElementSet(
+        name=name,
+        norad_id=norad_id,
+        epoch=now,
+        inclination_deg=orbit.inclination_deg,
+        raan_deg=round(orbit.raan_deg % 360.0, 4),
+        eccentricity=orbit.eccentricity,
+        argument_of_perigee_deg=orbit.perigee_deg,
+        mean_anomaly_deg=round(orbit.mean_anomaly_deg % 360.0, 4),
+        mean_motion_rev_day=round(orbit.mean_motion_rev_day, 8),
+        source=SOURCE,
     )
 
 
@@ -120,12 +150,7 @@ def _low(one: Low, number: int, observer: Observer, greenwich_deg: float) -> _Or
         latitude_deg, longitude_deg = _beside(observer, heading_deg - 90.0, one.aside_deg)
     along_deg, east_deg = _over(latitude_deg, inclination_deg, northbound=one.northbound)
     seconds = one.tca_min * 60.0
-    mean_motion_deg_s = _mean_motion(one.height_km) / 240.0
-    # J2's drift of the node, and of the argument of latitude of a circular orbit.
-    drift = 1.5 * _J2 * (_EARTH_KM / (_EARTH_KM + one.height_km)) ** 2 * mean_motion_deg_s
-    cosine = math.cos(math.radians(inclination_deg))
-    node_deg_s = -drift * cosine
-    along_deg_s = mean_motion_deg_s + drift * (2.5 * cosine**2 - 0.5)
+    node_deg_s, along_deg_s = _drifts(one.height_km, inclination_deg)
     return _Orbit(
         name=f"LEO {number} {one.kind}",
         inclination_deg=inclination_deg,

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
     from birdcage.pursuit.chosen_target import ChosenTarget
     from birdcage.pursuit.desk_setup import ControllerName
+    from birdcage.sky.made_up_pass import PassWish
     from birdcage.sky.observer import Observer
     from birdcage.sky.targets import Target
     from birdcage.tracking.mount import Mount
@@ -33,6 +34,7 @@ NOT_THERE = "--lat, --lon, --alt and --controller"
 CONTROLLERS = ("auto", "fast", "velocity", "queued", "modelled", "leapfrog")
 
 
+ANY_PLACE = (45.0, 0.0, 0.0)
 _NO_DISH = "A plan needs to know the dish. Give --firmware, or set firmware under [dish] in birdcage.toml."
 
 
@@ -52,7 +54,14 @@ class Until(click.ParamType["str | datetime"]):
 
 
 @click.command("track", epilog=EPILOG, context_settings=NEGATIVE_NUMBERS)
-@click.argument("target", nargs=-1, required=True)
+@click.argument("target", nargs=-1)
+@click.option("--synthetic", is_flag=True, help="Follow a made-up pass, without TARGET, elements or network.")
+@click.option("--max-el", "max_el_deg", type=click.FloatRange(5.0, 90.0), metavar="DEG",
+              help="Greatest elevation of the made-up pass.  [default: 60]")  # fmt: skip
+@click.option("--minutes", type=click.FloatRange(1.0, 60.0), metavar="MIN",
+              help="How long the made-up pass lasts, from rise to set.  [default: 10]")  # fmt: skip
+@click.option("--rises-in", "rises_in_s", type=click.FloatRange(0.0, 3600.0), metavar="S",
+              help="Seconds until the made-up pass rises.  [default: 60]")  # fmt: skip
 @click.option("--plan", "plan_only", is_flag=True, help="Print the plan and nothing else.")
 @click.option("--engage", is_flag=True, help="Move the dish: go there in time, wait, follow, and park as set.")
 @click.option("--until", type=Until(), help="When to end: LOS (all of the pass, and parking), reach (when it goes out "
@@ -69,7 +78,8 @@ class Until(click.ParamType["str | datetime"]):
 @observer_options
 @global_options(firmware="as set, else none: --engage asks the port, a plan needs one")
 def command(
-    target: tuple[str, ...], plan_only: bool, engage: bool, until: Literal["los", "reach"] | datetime | None,
+    target: tuple[str, ...], synthetic: bool, max_el_deg: float | None, minutes: float | None,
+    rises_in_s: float | None, plan_only: bool, engage: bool, until: Literal["los", "reach"] | datetime | None,
     controller: ControllerName | None, time_offset_s: float | None, freq_hz: float | None, speed: float | None,
     elements: Path | None, lat: float | None, lon: float | None, alt: float | None,
 ) -> None:  # fmt: skip
@@ -80,10 +90,15 @@ def command(
     that --firmware names. Elevations of the plan include refraction as `tracking.refraction` sets it: radio, optical or
     none. With --engage the dish must be homed, and Ctrl+C stops it. If another birdcage program has the port, that one
     follows, from its own place; if this command ends without Ctrl+C, that goes on.
+    --synthetic makes a pass up instead of TARGET, for the place that is set, or any: a test of the machine by itself.
     """
+    from datetime import UTC
+
     from birdcage.cli.named_target import find_target
     from birdcage.cli.options import wanted
     from birdcage.cli.say import say
+    from birdcage.cli.track_run import synthetic as synthetic_pass
+    from birdcage.sky.made_up_pass import PassWish
 
     no_options_among(target)
     if engage and plan_only:
@@ -93,9 +108,15 @@ def command(
     wants = wanted()
     if speed is not None and not wants.port.startswith("sim:"):
         raise click.UsageError(f"--speed is for a simulated dish only. Give --port sim:{DEMO_FIRMWARE} with it.")
-    observer = find_observer(wants.settings, lat, lon, alt)
-    meant = find_target(target, wants.paths, elements, say).target
-    text = " ".join(target)
+    wish = _wish(target, max_el_deg, minutes, rises_in_s, elements) if synthetic else None
+    if wish is None:
+        if any(each is not None for each in (max_el_deg, minutes, rises_in_s)):
+            raise click.UsageError("--max-el, --minutes and --rises-in go with --synthetic.")
+        if not target:
+            raise click.UsageError("Name a TARGET, or give --synthetic.")
+    observer = find_observer(wants.settings, lat, lon, alt) if wish is None else _any_place(wants, lat, lon, alt)
+    meant = find_target(target, wants.paths, elements, say).target if wish is None else wish
+    text = " ".join(target) if wish is None else "synthetic"
     if engage:
         from birdcage.base.clock import RealClock, ScaledClock
         from birdcage.cli.attached_command import reach_dish
@@ -109,7 +130,35 @@ def command(
                 raise click.UsageError(f"{dish.station.via} follows from its own place. Leave out {NOT_THERE}.")
             follow(dish, wants, order)
         return
+    if isinstance(meant, PassWish):
+        meant = synthetic_pass(meant, datetime.now(UTC), observer)
     _show(text, meant, wants, observer, time_offset_s, freq_hz, plan_only=plan_only)
+
+
+def _wish(
+    target: tuple[str, ...], max_el_deg: float | None, minutes: float | None, rises_in_s: float | None,
+    elements: Path | None,
+) -> PassWish:  # fmt: skip
+    """Return the pass that the options ask for. OutOfRange, before anything is opened, where no orbit makes it."""
+    from birdcage.sky.made_up_pass import PassWish, checked
+
+    if target or elements is not None:
+        raise click.UsageError("--synthetic makes a pass up: leave out TARGET and --elements.")
+    usual = PassWish()
+    return checked(PassWish(
+        usual.max_el_deg if max_el_deg is None else max_el_deg,
+        usual.duration_s if minutes is None else minutes * 60.0,
+        usual.rises_in_s if rises_in_s is None else rises_in_s,
+    ))  # fmt: skip
+
+
+def _any_place(wants: Wanted, lat: float | None, lon: float | None, alt: float | None) -> Observer:
+    """Return where the dish stands; where that is not set, any place: a made-up pass is the same anywhere."""
+    from birdcage.sky.observer import Observer
+
+    if lat is None and lon is None and wants.settings.place.latitude_deg is None:
+        return Observer(*ANY_PLACE)
+    return find_observer(wants.settings, lat, lon, alt)
 
 
 def _show(
