@@ -91,8 +91,12 @@ DISH_FAULTS = (
     Fault("stall az", "Azimuth is blocked", blocks(0), frees(0), expect=STALLED, lasts_s=LONG),
     Fault("stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s=LONG),
     Fault(
-        "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew, dialects=("hal205", "hal000"),
-        expect={MOVING: Expect(fault="stall", held="fault", motion="stall", stop="nothing")},
+        "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew,
+        dialects=("hal205", "hal000", "pro"),
+        expect={
+            MOVING: Expect(fault="stall", held="fault", motion="stall", stop="nothing"),
+            "pro in mid-move": Expect(fault="stall", held="fault", motion="stall", stop="at once"),
+        },
     ),
     Fault(
         "limit", "An axis meets a stop before its target", obstruct, clear, expect=STALLED, before=True, lasts_s=LONG
@@ -103,6 +107,7 @@ DISH_FAULTS = (
             MOVING: Expect(motion="not_taken", stop="nothing|after a look|at once"),
             "hal205 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
             "hal000 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
+            "pro in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
         },
     ),
     Fault(
@@ -130,6 +135,8 @@ DISH_FAULTS = (
         expect={
             REST: Expect("silent|-", fault="unhomed", held="link|fault"),
             MOVING: Expect("silent|-", fault="unhomed", held="link|fault", motion="link|fault|stopped"),
+            "pro at rest": Expect("silent|-", fault="reboot", held="link|fault"),
+            "pro in mid-move": Expect("silent|-", fault="reboot", held="link|fault", motion="fault|link|stopped"),
         },
     ),
     Fault(

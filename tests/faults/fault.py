@@ -11,7 +11,7 @@ from birdcage.station.requests import Goto, TurnSkew
 if TYPE_CHECKING:
     from .stage import Stage
 
-DIALECTS = ("g2", "g2plus", "hal205", "hal000")
+DIALECTS = ("g2", "g2plus", "hal205", "hal000", "pro")
 REST, MOVING = "at rest", "in mid-move"
 ANY = "at once|after a look|nothing"
 """Where nothing is known to move, STOP may have nothing to send, and looks."""

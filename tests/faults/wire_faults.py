@@ -123,13 +123,15 @@ PATCHY = {
 UNNOTICED = {REST: Expect(), MOVING: Expect(motion="arrives")}
 GONE = {REST: Expect("lost", held="link"), MOVING: Expect("lost", held="link", motion="link")}
 
+NOISY = ("g2", "hal205", "hal000", "pro")
+
 WIRE_FAULTS = (
     Fault(
         "silence", "Silence: no byte gets through", both(silent=True), both(silent=False),
-        expect={**SILENT, **{f"{each} in mid-move": Expect(motion="arrives") for each in ("hal205", "hal000")}},
+        expect={**SILENT, **{f"{each} in mid-move": Expect(motion="arrives") for each in ("hal205", "hal000", "pro")}},
     ),
     # Of g2plus not: a crackle that stands right before the echo of a line costs its answer, and there it always does.
-    Fault("noise", "Garbage between answers", noise, again=noise, expect=PATCHY, dialects=("g2", "hal205", "hal000")),
+    Fault("noise", "Garbage between answers", noise, again=noise, expect=PATCHY, dialects=NOISY),
     Fault("garbled", "Garbage inside every answer", noise_in_numbers, no_plan, expect=SILENT),
     Fault("dropped", "One byte in 100 is lost, each way", both(drop=RARELY), both(drop=0.0), expect=PATCHY),
     Fault("doubled", "One byte in 100 comes twice, each way", both(double=RARELY), both(double=0.0), expect=PATCHY),

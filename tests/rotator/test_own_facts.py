@@ -15,11 +15,12 @@ from birdcage.rotator.origin import Origin
 from birdcage.rotator.own import OwnFact, OwnFacts, laid_by_owner, with_speeds
 
 UTC_NOW = datetime(2026, 11, 22, tzinfo=UTC)
-G2, TRAVLER, CARRYOUT = map(machines.facts_of, ("g2", "hal205", "carryout"))
+G2, TRAVLER = map(machines.facts_of, ("g2", "hal205"))
 
 
-@pytest.mark.parametrize("facts", [G2, TRAVLER, CARRYOUT], ids=["g2", "hal205", "carryout"])
-def test_somebody_stands_for_every_fact_of_ours_that_is_known(facts):
+@pytest.mark.parametrize("firmware", ["g2", "hal205", "hal000", "pro", "carryout"])
+def test_somebody_stands_for_every_fact_of_ours_that_is_known(firmware):
+    facts = machines.facts_of(firmware)
     told = {fact.name: fact for fact in listed(facts)}
     assert set(facts.origin) <= set(told), "an origin of no fact"
     assert [name for name, fact in told.items() if fact.value is not None and fact.origin is None] == []

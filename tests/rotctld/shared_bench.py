@@ -9,7 +9,7 @@ from birdcage.rotctld.shared_dish import SharedDish
 
 from tests.station.conftest import Bench
 
-STARTS_S = {"g2": 3.0, "hal205": 12.0, "hal000": 12.0, "carryout": 12.0}
+STARTS_S = {"g2": 3.0, "hal205": 12.0, "hal000": 12.0, "pro": 40.0, "carryout": 12.0}
 """How long each takes to answer, and to be looked at."""
 
 

@@ -9,9 +9,15 @@ from birdcage.station.state import Activity
 
 from .shared_bench import SharedBench, code_of
 
-MACHINES = ("g2", "hal205", "hal000", "carryout")
+MACHINES = ("g2", "hal205", "hal000", "pro", "carryout")
 TRAVLER = "Winegard Trav'ler RS-485 Rotor"
-NAMES = {"g2": "Carryout G2", "hal205": TRAVLER, "hal000": TRAVLER, "carryout": "Carryout of 2003"}
+NAMES = {
+    "g2": "Carryout G2",
+    "hal205": TRAVLER,
+    "hal000": TRAVLER,
+    "pro": "Winegard Trav'ler Pro Rotor",
+    "carryout": "Carryout of 2003",
+}
 
 
 @pytest.mark.parametrize("firmware", MACHINES)

@@ -30,9 +30,19 @@ class ConsoleDialect:
 
     Where prompts are learnt, such a menu has `submenu_marks` that its parent does not list.
     """
+    one_way: frozenset[str] = frozenset()
+    """Menus that nothing is known to leave, but a power cycle: `leave` is as little sent there as at the root.
+
+    Where prompts are learnt they have `submenu_marks`, which no other menu's help lists.
+    """
     root: str = "root"
     leave: str = "q"
     """Leaves a submenu. At the root it may kill the shell until a power cycle: see `Console.leave`."""
+    gap_s: float = 0.0
+    """The least time from one line to the next, in seconds: what comes sooner may be lost. STOP does not wait for it.
+    """
+    gaps_s: Mapping[str, float] = field(default_factory=dict)
+    """What it is instead after a line that stays in one of these menus."""
     line_end: bytes = b"\r"
     echo: bool = True
     refusals: tuple[tuple[re.Pattern[str], Reason], ...] = ()
@@ -112,6 +122,22 @@ class ConsoleDialect:
     def may_hold_menus(self, menu: str) -> bool:
         """Return whether others may be entered in a menu, which may be one that goes by no name."""
         return menu == self.root or menu in self.parents.values() or (bool(self.parents) and menu not in self.prompts)
+
+    @cached_property
+    def ends(self) -> frozenset[str]:
+        """The menus that `leave` must not reach: the root, and those that nothing is known to leave."""
+        return self.one_way | {self.root}
+
+    @cached_property
+    def marks_of_ends(self) -> Mapping[str, frozenset[str]]:
+        """What the help of each of these lists, and no other menu's."""
+        return {self.root: self.root_marks, **{menu: self.submenu_marks[menu] for menu in sorted(self.one_way)}}
+
+    def gap_after(self, line: str, menu: str | None) -> float:
+        """Return the least time from a line to the next one, by the menu that it is sent in; None: not known."""
+        if menu is None or self.leaving.search(line):
+            return self.gap_s
+        return self.gaps_s.get(menu, self.gap_s)
 
     @cached_property
     def learnt(self) -> bool:

@@ -67,6 +67,7 @@ class Exchanges:
 
         `wakes`: Enter is pressed once more where no byte comes. See `Console.run` for the rest.
         """
+        self._wire.await_turn()
         sent = self._clock.monotonic()
         ticket = self._wire.send(line, takes_s + busy_s, permit)
         reply = self.wait_for(line, ticket, takes_s + self._delay_s, on_line, busy_s, wakes=wakes)
@@ -80,6 +81,7 @@ class Exchanges:
         wire, clock, late = self._wire, self._clock, self.late
         proves = late.proves(line)
         patience_s = late.pace.patience_s(self.round_trip_s or self._delay_s, self._delay_s)
+        wire.await_turn()
         sent = clock.monotonic()
         ticket = wire.send(line, 0.0, permit)
         try:
@@ -133,6 +135,7 @@ class Exchanges:
     def relay(self, line: str, on_line: LineSink, quiet_s: float, permit: Callable[[], None] | None) -> Reply:
         """Send one line and return its reply, however long that prints. See `Console.relay`."""
         wire, clock = self._wire, self._clock
+        wire.await_turn()
         sent = heard_at = clock.monotonic()
         ticket, lines = wire.send(line, quiet_s, permit), 0
 

@@ -5,7 +5,7 @@ Why a `q` can't reach a root prompt is argued in `docs/decisions/0003-q-in-step.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
@@ -37,6 +37,8 @@ class Menus:
         self._places = MenuPlaces(wire.dialect)
         self._new = True
         """Whether nothing of ours was ever under way."""
+        self.on_end: Callable[[str], None] = lambda _menu: None
+        """Told, each time, that the dish showed to be at its root, or in a menu that nothing is known to leave."""
 
     def synchronize(self) -> str:
         """Find out which menu the dish is in, by a bare Enter, and return its name.
@@ -78,7 +80,7 @@ class Menus:
         Lines before the prompt answer nothing: boot text. `wakes`: Enter is pressed once more where no byte comes.
         """
         if not self.dialect.learnt:
-            return self._exchanges.ask("", on_line=self._on_line, wakes=wakes).menu
+            return self._shown(self._exchanges.ask("", on_line=self._on_line, wakes=wakes).menu)
         if self._wire.lost:
             self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
         if not self._wire.codec.knows_prompts or self._wire.codec.unfinished:
@@ -94,15 +96,20 @@ class Menus:
             if menu is None and places.is_stranger(reply.lines):
                 raise NoReply(self.dialect.stranger.format(prompt=reply.token), reason=Reason.WRONG_FIRMWARE)
             if menu is not None:
-                if menu == self.dialect.root:
-                    places.at_root(reply.token)
+                if menu in self.dialect.ends:
+                    places.at_end(menu, reply.token)
                 wire.menu = menu
-                return menu
+                return self._shown(menu)
         raise NoReply(
             f"The dish answers (prompt `{wire.token}`), but `{HELP}` does not tell which menu it is in: it is another "
             "firmware, or bytes are lost. Nothing else was sent.",
             reason=Reason.GARBAGE,
         )
+
+    def _shown(self, menu: str) -> str:
+        if menu in self.dialect.ends:
+            self.on_end(menu)
+        return menu
 
     def _go(self, menu: str) -> None:
         """Go from the menu above it to a submenu, and make sure of it."""
@@ -121,6 +128,7 @@ class Menus:
             else:
                 now = menu
             self._wire.menu = now
+        self._shown(now)
         if now != menu:
             raise CommandRefused(f"The dish did not go to menu `{menu}`; it is in `{now}`.", reason=Reason.WRONG_MENU)
 
@@ -139,7 +147,7 @@ class Menus:
     def _leave_one(self) -> str:
         """Leave the present submenu, proven first, and return the menu that the dish is in then."""
         dialect, menu = self.dialect, self.prove_submenu()
-        if menu == dialect.root:
+        if menu in dialect.ends:
             return menu
         before = self._wire.doubt_until
         now = self._quit()
@@ -154,13 +162,13 @@ class Menus:
         """Leave a proven submenu, and return the menu that the dish is in then."""
         if not self.dialect.learnt:
             return self._exchanges.ask(self.dialect.leave).menu
+        self._wire.menu = None  # also for how long each line after it waits
         self._learner.ask(self.dialect.leave, self._exchanges.limit)
-        self._wire.menu = None
         return self._look()
 
     def prove_submenu(self) -> str:
         """Return the menu that a fresh prompt names, with nothing unaccounted for under way, either way."""
-        root, exchanges = self.dialect.root, self._exchanges
+        ends, exchanges = self.dialect.ends, self._exchanges
         self.resume()
         for _ in range(_PROOFS):
             before = self._wire.menu
@@ -171,7 +179,7 @@ class Menus:
             ):
                 break
             now = self._probe()
-            if now == root or (now == before and exchanges.is_settled):
+            if now in ends or (now == before and exchanges.is_settled):
                 return now
         raise NoReply(
             f"The line to the dish does not go quiet, so `{self.dialect.leave}` was not sent: it could reach the "
@@ -191,18 +199,25 @@ class Menus:
             self._go(step)
 
     def leave_until(self, there: Sequence[str]) -> str:
-        """Leave menus until the dish is in one of these, the root among them; return which."""
+        """Leave menus until the dish is in one of these; return which. CommandRefused where nothing leads there."""
         now = self.find()
         for _ in range(self.dialect.depth + 1):
             if now in there:
                 return now
+            if now in self.dialect.one_way:
+                raise CommandRefused(
+                    f"No command is known that leaves menu `{now}`. A power cycle brings the dish back to "
+                    f"`{self.dialect.root}`.",
+                    reason=Reason.WRONG_MENU,
+                )
             now = self._leave_one()
         raise NoReply(f"The dish is still in menu `{now}`, though each above it was left.", reason=Reason.BLOCKED)
 
     def leave_one(self) -> str:
         """Go back to the menu above the present one, as `leave`, and return where the dish is then."""
         self.resume()
-        return self.dialect.root if self._wire.menu == self.dialect.root else self._leave_one()
+        now = self._wire.menu
+        return now if now is not None and now in self.dialect.ends else self._leave_one()
 
     def may_change(self, line: str) -> bool:
         """Return whether after this line only help tells the menu, where prompts are learnt and may be alike."""

@@ -62,15 +62,17 @@ class MenuPlaces:
         listed = commands(lines)
         if self.is_stranger(lines):
             return None
-        if dialect.root_marks <= listed:
-            self._listed[dialect.root] = words
-            return dialect.root
+        for end, marks in dialect.marks_of_ends.items():
+            if marks <= listed:
+                self._listed[end] = self._judged = words
+                return end
         if not self._is_submenu(words, listed) or not self._is_list(lines, listed):
             return None
         self._judged = words
         nearest = max(self._listed, key=lambda menu: _likeness(self._listed[menu], words), default=dialect.root)
         # Fewer words than half may be of any menu: `s` and `q` stand in the damaged help of most.
-        if nearest != dialect.root and self._listed[nearest] <= words and 2 * len(self._listed[nearest]) >= len(words):
+        known = self._listed.get(nearest, frozenset())
+        if nearest not in dialect.ends and known <= words and 2 * len(known) >= len(words):
             return nearest
         if 2 * len(words & before) > len(words):
             self._judged = self._listed[SUBMENU] = words & before
@@ -95,9 +97,9 @@ class MenuPlaces:
         marks = self._dialect.submenu_marks.get(menu)
         return marks is not None and marks <= self._judged
 
-    def at_root(self, token: str) -> None:
-        """Take in which prompt the root shows."""
-        self._tokens[self._dialect.root] = token
+    def at_end(self, menu: str, token: str) -> None:
+        """Take in which prompt a menu shows that `leave` must not reach: the root, or one that is left by nothing."""
+        self._tokens[menu] = token
 
     def is_told_by(self, token: str, menu: str) -> bool:
         """Return whether this prompt is the one of `menu`, and surely neither the root's nor its parent's."""
@@ -107,30 +109,42 @@ class MenuPlaces:
     def was_entered(self, menu: str, now: str) -> bool:
         """Return whether the submenu `now`, which was just judged, is the one that its parent was left for.
 
-        From the root any submenu is. One below another must list its documented commands, and not mostly the parent's.
+        From the root any submenu is, but one that nothing leaves, which shows its own commands. One below another must
+        list its documented commands, and not mostly the parent's.
         """
         dialect = self._dialect
-        if now == dialect.root or dialect.parent(menu) == dialect.root:
-            return now != dialect.root
+        if menu in dialect.one_way or now in dialect.ends:
+            return now == menu
+        if dialect.parent(menu) == dialect.root:
+            return True
         above = self._listed.get(dialect.parent(menu), frozenset())
         return now == menu or (
             now == SUBMENU and self.may_be(menu) and 2 * len(above & self._judged) <= len(above | self._judged)
         )
 
     def _is_submenu(self, words: frozenset[str], listed: frozenset[str]) -> bool:
-        """Return whether this is surely not the root's help, whole or with bytes lost."""
+        """Return whether this is surely not the help of the root, nor of a menu that nothing is known to leave.
+
+        Whole or with bytes lost.
+        """
         dialect = self._dialect
-        root = self._listed.get(dialect.root)
-        if root is not None:
-            if listed & (dialect.root_hints - set(dialect.prompts)):
+        if any(not self._is_apart(end, words, listed) for end in dialect.ends):
+            return False
+        return dialect.root in self._listed or any(marks <= listed for marks in dialect.submenu_marks.values())
+
+    def _is_apart(self, end: str, words: frozenset[str], listed: frozenset[str]) -> bool:
+        dialect, seen = self._dialect, self._listed.get(end)
+        if seen is not None:
+            if end == dialect.root and listed & (dialect.root_hints - set(dialect.prompts)):
                 return False
             common = {dialect.leave, "help"}  # every menu may list these
             # Of words that noise has cut in two single letters are left, which may be commands elsewhere.
-            shared = sum(len(word) > 1 for word in (words & root) - common)
-            return shared <= _MOST_SHARED * min(len(root - common), len(words - common))
-        if listed & dialect.root_hints or any(_alike(mark, word) for mark in dialect.root_marks for word in listed):
-            return False
-        return any(marks <= listed for marks in dialect.submenu_marks.values())
+            shared = sum(len(word) > 1 for word in (words & seen) - common)
+            return shared <= _MOST_SHARED * min(len(seen - common), len(words - common))
+        hints = dialect.root_hints if end == dialect.root else dialect.marks_of_ends[end]
+        return not listed & hints and not any(
+            _alike(mark, word) for mark in dialect.marks_of_ends[end] for word in listed
+        )
 
     def _is_list(self, lines: tuple[str, ...], listed: frozenset[str]) -> bool:
         """Return whether this is a list of commands, and not an error in unknown words."""

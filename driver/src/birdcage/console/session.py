@@ -84,6 +84,10 @@ class Console:
         """Have it told, once a line, that the dish is still busy with what came before it."""
         self._exchanges.on_busy = on_busy
 
+    def hear_ends(self, on_end: Callable[[str], None]) -> None:
+        """Have it told, each time, that the dish is at its root, or in a menu that nothing is known to leave."""
+        self._menus.on_end = on_end
+
     def refusal(self, reply: Reply) -> CommandRefused | None:
         """Return what the firmware's error in `reply` means, or None when it holds none."""
         return self.dialect.refusal_in(reply)
@@ -147,7 +151,7 @@ class Console:
         self._check(line)
         if not self.dialect.leaving.search(line):
             self._menus.resume()
-        elif self._menus.prove_submenu() == self.dialect.root and not at_root:
+        elif self._menus.prove_submenu() in self.dialect.ends and not at_root:
             raise self._root_hazard(line)
         changes = self.dialect.learnt and self._menus.may_change(line)
         typed = Typed(self._wire, line, takes_s, permit)
@@ -185,7 +189,7 @@ class Console:
         else:
             self.enter(menu)
         if leaves:
-            if self._menus.prove_submenu() == self.dialect.root:
+            if self._menus.prove_submenu() in self.dialect.ends:
                 raise self._root_hazard(command)
         elif wire.lost or wire.menu is None:
             self._menus.resume()
@@ -244,11 +248,11 @@ class Console:
             self._menus.enter(menu)
 
     def leave(self) -> None:
-        """Go back to the root menu, menu by menu; nothing happens when the dish is there.
+        """Go back to the root menu, menu by menu, or as far as anything is known to lead there.
 
         Each `q` goes out only after a bare Enter has shown a submenu, with everything sent before accounted for.
         """
-        self._menus.leave_until((self.dialect.root,))
+        self._menus.leave_until(tuple(self.dialect.ends))
 
     def leave_one(self) -> str:
         """Go back to the menu above the present one, as `leave`, and return where the dish is then."""
@@ -263,7 +267,7 @@ class Console:
         return self.is_settled or (self._exchanges.account_by_mark() and self.is_settled)
 
     def leave_all(self, within_s: float = 2.0) -> bool:
-        """Go back to the root if that can be done safely within `within_s`; return whether the dish is there.
+        """Go back as `leave` if that can be done safely within `within_s`; return whether that was done.
 
         For the moment before the port closes. A dish that stays in its menu is found there next time.
         """
@@ -378,10 +382,13 @@ class Console:
 
     def _root_hazard(self, line: str) -> CommandRefused:
         return CommandRefused(
-            f"`{line}` was not sent: the dish is at its root menu, where a `{self.dialect.leave}` may end "
+            f"`{line}` was not sent: the dish is at {self._end()}, where a `{self.dialect.leave}` may end "
             "its shell until a power cycle.",
             reason=Reason.WRONG_MENU,
         )
+
+    def _end(self) -> str:
+        return f"menu `{self.place}`" if self.place in self.dialect.one_way else "its root menu"
 
     def _check(self, line: str) -> None:
         if not (line.isascii() and line.isprintable()):

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 
 from birdcage.base.clock import Clock, WaitOutcome
@@ -58,6 +59,8 @@ class Wire:
         self.last_reply: float | None = None
         self.last_received = clock.monotonic()
         self.last_sent = clock.monotonic()
+        self._turn_at = self.last_sent + dialect.gap_s
+        """When the next line may go out. Another program may have sent one just before."""
         self.busy_until = clock.monotonic()
         self.doubt_until: float | None = clock.monotonic() + 2 * delay_s
         """Until when something unaccounted for may still be under way, either way; None when nothing is."""
@@ -82,13 +85,31 @@ class Wire:
         with self._lock:
             self._note(self.codec.learn(token))
 
+    def await_turn(self) -> None:
+        """Wait until the dish can be expected to hear another line (`ConsoleDialect.gap_s`), taking in what comes."""
+        while self.clock.monotonic() < self._turn_at:
+            self.pump(self._turn_at)
+
+    def _took_turn(self, line: str) -> None:
+        self._turn_at = self.last_sent + self.dialect.gap_after(line, self.menu)
+
+    @contextmanager
+    def _in_turn(self) -> Iterator[None]:
+        """Hold the lock once it is time for another line: STOP may have written one while that was waited for."""
+        while True:
+            self.await_turn()
+            with self._lock:
+                if self.clock.monotonic() >= self._turn_at:
+                    yield
+                    return
+
     def send(self, line: str, takes_s: float = 0.0, permit: Callable[[], None] | None = None) -> int:
         """Write one line at once and return the ticket of its reply.
 
         `permit` is asked under the lock that `interject` takes too: what it lets through is on the wire before any
         line that is interjected afterwards.
         """
-        with self._lock:
+        with self._in_turn():
             if permit is not None:
                 permit()
             now = self.clock.monotonic()
@@ -100,11 +121,12 @@ class Wire:
 
     def send_mark(self) -> int:
         """Write the mark, and return its ticket: its reply ends every doubt of what was sent before it."""
-        with self._lock:
+        with self._in_turn():
             now = self.clock.monotonic()
             self.seen.clear()
             ticket = self._mark = self.codec.expect_mark()
             self._sent_at[ticket] = self.last_sent = now
+            self._took_turn(MARK)
             self.busy_until = max(self.busy_until, now)
             try:
                 self.link.write(MARK.encode("ascii") + self.dialect.line_end)
@@ -122,8 +144,9 @@ class Wire:
 
     def press_enter(self) -> None:
         """Write a bare line end that no reply is expected to: the key that ends a running stream."""
-        with self._lock:
+        with self._in_turn():
             self.last_sent = self.busy_until = self.clock.monotonic()
+            self._took_turn("")
             self.doubt(self.last_sent + 2 * self.delay_s)
             self._mark = None
             self.link.write(self.dialect.line_end)
@@ -147,6 +170,7 @@ class Wire:
         self._sent_at.update(dict.fromkeys(tickets, now))
         self.last_sent = now
         self.busy_until = max(self.busy_until, now + takes_s)
+        self._took_turn(lines[-1] if lines else "")
         self._mark, end = None, self.dialect.line_end
         try:
             self.link.write(b"".join(line.encode("ascii") + end for line in lines))

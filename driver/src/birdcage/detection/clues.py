@@ -43,7 +43,7 @@ def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, .
     """Return what in a finding speaks for which firmware; `rate_counts`: whether the port takes its rate from us."""
     found: list[Clue] = []
     for name, protocol in marked().items():
-        own_rate = not rate_counts or finding.baud == protocol.model.baud
+        own_rate = not rate_counts or protocol.model.any_baud or finding.baud == protocol.model.baud
         at = f" at {finding.baud} baud" if rate_counts else ""
         found += [Clue(name, words, weight) for words, weight in _clues(finding, protocol, at, own_rate=own_rate)]
     if finding.saw is Saw.TEXT:
@@ -77,7 +77,9 @@ def _clues(
         found += [
             (f"`?` lists {_names(marks)} as its menu `{menu}` does", LIKELY)
             for menu, marks in dialect.submenu_marks.items()
-            if menu == protocol.motor_menu and marks <= finding.listed and not _is_said_better(marks, finding.listed)
+            if menu in (protocol.motor_menu, *dialect.one_way)
+            and marks <= finding.listed
+            and not _is_said_better(marks, finding.listed)
         ]
     if not own_rate:
         return found
@@ -96,6 +98,26 @@ def _is_said_better(marks: frozenset[str], listed: frozenset[str]) -> bool:
         for menu, others in protocol.dialect.submenu_marks.items()
         if menu == protocol.motor_menu
     )
+
+
+def without_rate(clues: Sequence[Clue], *, answers: bool) -> tuple[Clue, ...]:
+    """Return the clues that are left once the port was tried at another rate: whether what is there answers there too.
+
+    What is certain stays, as the trial may have been in vain.
+    """
+    free = {name for name, protocol in marked().items() if protocol.model.any_baud}
+    return tuple(clue for clue in clues if clue.weight == CERTAIN or (clue.firmware in free) is answers)
+
+
+def depends_on_rate(firmwares: Sequence[str]) -> bool:
+    """Return whether some of these answer at every rate, and some at their own alone: another rate tells them apart."""
+    spoken = marked()
+    return len({spoken[name].model.any_baud for name in firmwares if name in spoken}) > 1
+
+
+def longest_gap_s() -> float:
+    """Return how long a console may have to be left alone after a line before it hears another one."""
+    return max(protocol.dialect.gap_s for protocol in marked().values())
 
 
 def known_tokens() -> tuple[str, ...]:

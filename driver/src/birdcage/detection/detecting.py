@@ -12,7 +12,17 @@ from dataclasses import dataclass
 from birdcage.base.clock import Clock
 from birdcage.base.errors import LinkError
 from birdcage.base.machine_port import machine_at
-from birdcage.detection.clues import CERTAIN, Clue, clues_of, firmwares_of, known_tokens, marked
+from birdcage.detection.clues import (
+    CERTAIN,
+    Clue,
+    clues_of,
+    depends_on_rate,
+    firmwares_of,
+    known_tokens,
+    longest_gap_s,
+    marked,
+    without_rate,
+)
 from birdcage.detection.machine_probe import ask, questions
 from birdcage.detection.named_machine import meet_machine
 from birdcage.detection.probe import BaudFinding, Saw, overhear, probe
@@ -22,6 +32,8 @@ from birdcage.rotator.hooks import Hooks
 from birdcage.rotator.machines import facts_of
 
 OpenLink = Callable[[str, int], Link]
+
+_VOWELS = frozenset("aeioAEIO")
 
 LOG_S = 5.5
 """How long a dish is listened to that shows no prompt: one that homes at power-up tells of it every few seconds."""
@@ -84,10 +96,13 @@ def detect_firmware(
             tell(f"Listening for the dish on {port} at {rate} baud …" if timed else f"Listening on {port} …")
             link = opening(port, rate)
             try:
-                findings.append(probe(link, clock, rate, tokens=known_tokens()))
+                findings.append(probe(link, clock, rate, tokens=known_tokens(), gap_s=longest_gap_s()))
             finally:
                 link.close()
             clues = clues_of(findings[-1], rate_counts=timed)
+            if timed and baud is None and depends_on_rate(firmwares_of(clues)):
+                tell(f"Asking {port} at another rate: some of what it may be answers at any …")
+                clues = without_rate(clues, answers=_answers_elsewhere(opening, port, clock, rate))
             if clues or findings[-1].saw is Saw.PROMPT:
                 return _told(port, findings, clues, timed=timed)
         heard = _rate_of_log(findings)
@@ -149,7 +164,7 @@ def _told(port: str, findings: list[BaudFinding], clues: tuple[Clue, ...], *, ti
     if len(candidates) == 1:
         name = _name(candidates[0])
         why = "; ".join(clue.words for clue in clues if clue.firmware == candidates[0])
-        sentence = f"{port} is a {name} ({candidates[0]}): {why}."
+        sentence = f"{port} is {'an' if name[0] in _VOWELS else 'a'} {name} ({candidates[0]}): {why}."
         return Detection(port, candidates[0], sentence, tuple(findings), clues, candidates, baud)
     if candidates:
         shown_by: dict[str, list[str]] = {}
@@ -199,6 +214,19 @@ def _rate_of_log(findings: list[BaudFinding]) -> int | None:
     longest = max(marked().values(), key=lambda protocol: protocol.model.boot_s).model.baud
     quiet = any(each.baud == longest and each.saw in (Saw.SILENCE, Saw.ECHO) for each in findings)
     return longest if quiet else None
+
+
+def _answers_elsewhere(opening: OpenLink, port: str, clock: Clock, rate: int) -> bool:
+    """Return whether a prompt answers at another rate than this one, too. Asked twice: one Enter may be lost."""
+    other = next(each for each in _rates(None) if each != rate)
+    for _ in range(2):
+        link = opening(port, other)
+        try:
+            if probe(link, clock, other, tokens=known_tokens()).saw is Saw.PROMPT:
+                return True
+        finally:
+            link.close()
+    return False
 
 
 def _of_log(baud: int, text: str) -> BaudFinding:

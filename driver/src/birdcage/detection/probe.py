@@ -101,12 +101,14 @@ def probe(
     *,
     tokens: Iterable[str] = (),
     listen_s: float = LISTEN_S,
+    gap_s: float = 0.0,
     wake: Wake | None = None,
     on_wake: Callable[[], None] = lambda: None,
 ) -> BaudFinding:
     """Send one bare Enter over `link`, which is open at `baud`, and say what came within `listen_s`.
 
-    What had arrived before counts as well: a dish that boots talks unasked. Where a prompt answers, `?` is asked too.
+    What had arrived before counts as well: a dish that boots talks unasked. Where a prompt answers, `?` is asked too,
+    and once more after `gap_s` where that brings nothing: some consoles lose a line that comes too soon.
     `on_wake` is called when `wake` is set; it clears it, and may raise to end the wait. Raises LinkError when the port
     is gone.
     """
@@ -130,6 +132,13 @@ def probe(
                     break
         return heard
 
+    def leave_alone(seconds: float) -> None:
+        until = clock.monotonic() + seconds
+        while clock.monotonic() < until:
+            if clock.wait(link, until, wake) is WaitOutcome.INTERRUPTED:
+                on_wake()
+            link.read()
+
     heard = ask(ENTER, listen_s)
     saw, prompt, listed, text = judge(heard, tokens), _standing(heard), frozenset[str](), heard
     if saw is Saw.PROMPT and prompt:
@@ -138,6 +147,9 @@ def probe(
             # The prompt may have answered the program before this one, at another rate: only an Enter of ours tells.
             heard = text = ask(ENTER, listen_s)
             saw, prompt = judge(heard, tokens), _standing(heard)
+            if gap_s and saw is Saw.PROMPT and prompt:
+                leave_alone(gap_s)
+                told = ask(HELP, HELP_S)
         text += told
         listed = commands(line for line in _readable(text[len(heard) :]).splitlines() if line.strip() != prompt)
     waited_s = round(clock.monotonic() - began, 3)

@@ -89,10 +89,14 @@ class FirmwareProtocol(ABC):
 
     _link: Link | None = None
     _console: Console | None = None
+    _was_inside = False
+    """Whether the dish was last seen in a menu that nothing is known to leave; across lost links, too."""
     printed_deg: float = 0.01
     """How fine the angles are that the dish prints, as its last reading showed."""
     on_busy: Callable[[], None] = staticmethod(_nothing)
     """Told when the dish leaves the command of a move unanswered, and may be waiting for a motor that runs."""
+    on_restart: Callable[[str], None] = staticmethod(_nothing)
+    """Told, in words, that the dish shows to have restarted."""
     on_facts: Callable[[Facts], None] = staticmethod(_nothing)
     """Told what the dish has shown that it is, where that differs from `model`: within `meet` alone."""
     permit: Callable[[], None] | None = None
@@ -131,6 +135,14 @@ class FirmwareProtocol(ABC):
         self._link = link
         self._console = Console(link, clock, self.dialect, **hooks)
         self._console.hear_busy(self.on_busy)
+        self._console.hear_ends(self._is_at_end)
+
+    def _is_at_end(self, menu: str) -> None:
+        """Take in where the dish stands: back at its root from a menu that nothing leaves, it has restarted."""
+        inside = menu in self.dialect.one_way
+        if self._was_inside and not inside:
+            self.on_restart(f"The dish is back in menu `{menu}`: only a restart leads there.")
+        self._was_inside = inside
 
     def disconnect(self, *, within_s: float = 2.0) -> None:
         """Go back to the root menu where that is safe within a time (0: send nothing), and close the port.
@@ -155,8 +167,11 @@ class FirmwareProtocol(ABC):
         self.console.synchronize()
 
     def reset_to_root(self) -> None:
-        """Leave submenus until the root prompt shows. `q` is sent from a proven submenu only."""
-        self.console.enter(self.dialect.root)
+        """Leave submenus until the root prompt shows, or one that nothing is known to leave.
+
+        `q` is sent from a proven submenu only.
+        """
+        self.console.leave()
 
     @abstractmethod
     def initialize(self, callback: Callable[[str], None] | None = None, *, timeout_s: float = BOOT_TIMEOUT_S) -> None:

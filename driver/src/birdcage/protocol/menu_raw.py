@@ -75,7 +75,7 @@ class MenuRaw:
     def leaves(self, line: str, place: str | None) -> bool:
         """Return whether this is the `q` of a submenu."""
         dialect = self._protocol.dialect
-        return line.strip().lower() == dialect.leave and place != dialect.root
+        return line.strip().lower() == dialect.leave and place not in dialect.ends
 
     def leave(self) -> RawAnswer:
         """Leave the submenu, proven first, for the one above it."""
@@ -85,7 +85,7 @@ class MenuRaw:
     def type_line(self, line: str, place: str | None, *, takes_s: float, confirmed: Grade, permit: Permit) -> MenuTyped:
         """Send a line; what could leave a menu goes out at the root only where it was confirmed as what can ruin."""
         console = self._protocol.console
-        at_root = confirmed is Grade.RUINS and place == console.dialect.root
+        at_root = confirmed is Grade.RUINS and place in console.dialect.ends
         return MenuTyped(self._protocol, console.type_line(line, takes_s=takes_s, permit=permit, at_root=at_root))
 
 

@@ -81,6 +81,7 @@ class MenuRotator:
         self.is_simulated = link.demo
         protocol, self._hooks = self.protocol, hooks
         protocol.permit, protocol.on_busy, protocol.on_facts = hooks.permit, hooks.on_busy, hooks.on_facts
+        protocol.on_restart = hooks.on_restart
 
         def hear(text: str) -> None:
             if protocol.says_restart(text):

@@ -142,6 +142,8 @@ class Facts:
     firmware: str
     baud: int
     """0 of a machine that is not at the end of a serial line."""
+    any_baud: bool = False
+    """Whether it answers at every rate: a serial line over USB may have none of its own."""
     axes: tuple[Axis, ...]
     """One to three, each with a name of its own."""
     azimuth: Axis = field(init=False, repr=False, compare=False)
@@ -222,8 +224,6 @@ class Facts:
     """What clients of Hamlib's network protocol are told that it is; empty: its name."""
     connectors: tuple[Connector, ...] = ()
     """Its plugs; none where it is not reached by a cable, or no source draws it."""
-    kin_connectors: tuple[Connector, ...] = ()
-    """The plugs of its kin that birdcage does not drive yet."""
     adapters: tuple[Adapter, ...] = ()
     """The adapters that were used with it."""
     origin: Mapping[str, Origin] = field(default_factory=dict)

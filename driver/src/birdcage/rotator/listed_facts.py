@@ -17,7 +17,7 @@ UNITS = {"_deg_s2": "deg/s2", "_deg_s": "deg/s", "_deg": "deg", "_hz": "Hz", "_s
 """By the end of a name, the longest first."""
 _PARTS = (Axis, CableRange, SilentSlew, OwnSweep, Reflector, CountedBeam)
 """What is listed field by field; sentences, plugs and tables are no facts of this kind."""
-_LEFT_OUT = {f"{axis}.{key}" for axis in AXES for key in ("name", "role", "turn_by", "speed_known")}
+_LEFT_OUT = {"any_baud", *(f"{axis}.{key}" for axis in AXES for key in ("name", "role", "turn_by", "speed_known"))}
 """How the others are to be taken, and no facts of their own."""
 
 

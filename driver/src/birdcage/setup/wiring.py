@@ -70,10 +70,8 @@ _PATIENCE_MIN = 3
 
 
 def connectors() -> tuple[Connector, ...]:
-    """Return the plugs of all machines that are known, then those of their kin."""
-    known = list_models()
-    found = [each for facts in known for each in facts.connectors]
-    return tuple(dict.fromkeys((*found, *(each for facts in known for each in facts.kin_connectors))))
+    """Return the plugs of all machines that are known."""
+    return tuple(dict.fromkeys(each for facts in list_models() for each in facts.connectors))
 
 
 def connectors_of(firmware: str | None) -> tuple[Connector, ...]:

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.hal.protocol import HAL000Protocol, HAL205Protocol
+from birdcage.protocol.hal.protocol import HAL000Protocol, HAL205Protocol, TravlerProProtocol
 
-__all__ = ["HAL000Protocol", "HAL205Protocol"]
+__all__ = ["HAL000Protocol", "HAL205Protocol", "TravlerProProtocol"]

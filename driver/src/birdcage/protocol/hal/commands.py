@@ -5,7 +5,7 @@ No full list is known.
 
 from __future__ import annotations
 
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
 from birdcage.rotator.raw import CommandDoc
 
 _MENUS = {
@@ -23,7 +23,12 @@ _ROOT = """
 """
 _LEAVE = """
     ? | | lists commands
-    q | | back to the root
+    q | | back to the menu above
+"""
+_TUNNEL = """
+    odu | | the outdoor unit, which has all the rest; no command is known that leads back
+    ? | | lists commands
+    q | | may end the shell until a power cycle
 """
 _MOTOR = """
     a | [<motor> <angle>] | position and cable; or sends one axis to an angle, after the move under way
@@ -49,7 +54,8 @@ def commands_of(variant: HalVariant) -> tuple[CommandDoc, ...]:
     """Return what is documented of one of the Trav'lers."""
     root = "".join(f"{menu} | | {_MENUS[menu]}\n" for menu in variant.submenus) + _ROOT
     listed = {
-        "root": root,
+        **({"root": _TUNNEL} if variant.home != "root" else {}),
+        variant.home: root,
         variant.motor: _MOTOR + _LEAVE,
         variant.search: _SEARCH[variant.search] + _LEAVE,
         NVS: _NVS + _LEAVE,
@@ -63,4 +69,4 @@ def commands_of(variant: HalVariant) -> tuple[CommandDoc, ...]:
     )
 
 
-COMMANDS_205, COMMANDS_000 = commands_of(HAL205), commands_of(HAL000)
+COMMANDS_205, COMMANDS_000, COMMANDS_PRO = map(commands_of, (HAL205, HAL000, PRO))

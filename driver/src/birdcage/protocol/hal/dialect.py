@@ -7,8 +7,12 @@ import re
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
 
+GAP_S = 1.0
+"""How long the program for the Trav'ler Pro waits after a line (`docs/reference/travler-pro.md`, *Pace*)."""
+MOTOR_GAP_S = 0.2
+"""Among its motors that program waits for nothing; a fifth of a second costs little."""
 _MARKS = {"s": frozenset({"s"}), "kill Search": frozenset({"tasks", "kill"})}
 """What the help of the menu lists in which the TV search is ended, by the line that ends it."""
 _REFUSALS = (
@@ -28,14 +32,20 @@ _REFUSALS = (
 
 def dialect_of(variant: HalVariant) -> ConsoleDialect:
     """Return the console of one of the Trav'lers."""
+    tunnel = {variant.home} - {"root"}
     return ConsoleDialect(
         troubles=MOTOR_TROUBLES,
         axis_names=AXIS_NAMES,
-        prompts=dict.fromkeys(("root", *variant.submenus), UNKNOWN_TOKEN),
+        prompts=dict.fromkeys(("root", *tunnel, *variant.submenus), UNKNOWN_TOKEN),
+        parents={menu: variant.home for menu in variant.submenus if tunnel},
+        one_way=frozenset(tunnel),
+        gap_s=GAP_S if tunnel else 0.0,
+        gaps_s={variant.motor: MOTOR_GAP_S} if tunnel else {},
         root_marks=variant.root_marks,
         root_is_own=variant.root_is_own,
-        root_hints=frozenset({*variant.submenus, "motor", "mot", "os", "reboot", "stow"}),
+        root_hints=frozenset(tunnel or {*variant.submenus, "motor", "mot", "os", "reboot", "stow"}),
         submenu_marks={
+            **{menu: frozenset({variant.motor, NVS}) for menu in tunnel},
             variant.motor: frozenset({"a", "g"}),
             variant.search: _MARKS[variant.end_search],
             NVS: frozenset({"d", "e", "s"}),
@@ -46,10 +56,10 @@ def dialect_of(variant: HalVariant) -> ConsoleDialect:
         stranger=(
             "This dish answers like another firmware (prompt `{prompt}`), not like "
             f"{variant.label}. `birdcage detect` names it: a Carryout G2 is --firmware g2, a Trav'ler with HAL 0.0.00 "
-            "hal000, one with HAL 2.05 hal205. Nothing was moved."
+            "hal000, one with HAL 2.05 hal205, a Trav'ler Pro pro. Nothing was moved."
         ),
         refusals=_REFUSALS,
     )
 
 
-DIALECT_205, DIALECT_000 = dialect_of(HAL205), dialect_of(HAL000)
+DIALECT_205, DIALECT_000, DIALECT_PRO = map(dialect_of, (HAL205, HAL000, PRO))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from birdcage.protocol.hal.dialect import dialect_of
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
 from birdcage.protocol.hazard import Hazard, HazardTable, row_maker
 from birdcage.rotator.verdict import Grade
 
@@ -26,7 +26,9 @@ def hazards_of(variant: HalVariant) -> HazardTable:
         rows=(
             row("all", ""),
             row("all", r"\?"),
-            *_of_root(row, variant),
+            *_of_tunnel(row, variant),
+            *_of_home(row, variant),
+            *_too_high(row, variant),
             *_of_motor(row, variant.motor),
             *_of_search(row, variant.search),
             *_of_settings(row),
@@ -35,18 +37,37 @@ def hazards_of(variant: HalVariant) -> HazardTable:
     )
 
 
-def _of_root(row: Row, variant: HalVariant) -> Iterator[Hazard]:
-    yield row("sub", "q")
-    yield row("root", "|".join(variant.submenus))
-    yield row("root", "q", Grade.RUINS,
-              "At the root menu, `q` may end the shell: the dish then stays silent until a power cycle.")  # fmt: skip
-    yield row("root", ".*q.*", Grade.RUINS,
-              "A byte lost on the way could leave a bare `q` of this line, which may end the shell until a power "
-              "cycle.", loose=True)  # fmt: skip
-    yield row("root", "stow( .*)?", Grade.RUINS,
+def _of_tunnel(row: Row, variant: HalVariant) -> Iterator[Hazard]:
+    for menu in dict.fromkeys(("root", variant.home)):
+        where = "At the root menu" if menu == "root" else f"In menu `{menu}`"
+        yield row(menu, "q", Grade.RUINS,
+                  f"{where}, `q` may end the shell: the dish then stays silent until a power cycle.")  # fmt: skip
+        yield row(menu, ".*q.*", Grade.RUINS,
+                  "A byte lost on the way could leave a bare `q` of this line, which may end the shell until a power "
+                  "cycle.", loose=True)  # fmt: skip
+    if variant.home != "root":
+        yield row("root", variant.home)
+
+
+def _too_high(row: Row, variant: HalVariant) -> Iterator[Hazard]:
+    if variant.home == "root":
+        return
+    high = r"(7[5-9](\.\d+)?|[89]\d(\.\d+)?|\d{3,}(\.\d+)?)"
+    for line in (rf"a (?P<axis>1) (?P<angle>{high})", rf"g (?P<az>\S+) (?P<el>{high}) \S+"):
+        yield row(variant.motor, line, Grade.RUINS,
+                  "Above 75° the elevation stalls, and the whole dish may lock up until a power cycle.",
+                  forgets=_WHERE, takes_s=30.0)  # fmt: skip
+
+
+def _of_home(row: Row, variant: HalVariant) -> Iterator[Hazard]:
+    home = variant.home
+    for menu in variant.submenus:
+        yield row(menu, "q")
+    yield row(home, "|".join(variant.submenus))
+    yield row(home, "stow( .*)?", Grade.RUINS,
               "Folds the dish flat by itself. A feed that is not the stock one may be crushed, and nothing stops it.",
               forgets=_WHERE, takes_s=60.0)  # fmt: skip
-    yield row("root", "reboot( .*)?", Grade.MOVES,
+    yield row(home, "reboot( .*)?", Grade.MOVES,
               "Restarts the dish: it homes, turns over its whole range and begins its TV search.",
               forgets=_ALL, takes_s=180.0, restarts=True)  # fmt: skip
 
@@ -91,4 +112,4 @@ def _of_settings(row: Row) -> Iterator[Hazard]:
               forgets=_NVS, takes_s=10.0)  # fmt: skip
 
 
-HAZARDS_205, HAZARDS_000 = hazards_of(HAL205), hazards_of(HAL000)
+HAZARDS_205, HAZARDS_000, HAZARDS_PRO = map(hazards_of, (HAL205, HAL000, PRO))

@@ -6,8 +6,9 @@ from dataclasses import replace
 
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
-from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, SAFE_MINIMUM, SEARCH_MINIMUM
-from birdcage.protocol.hal.own_settings import KNOWN
+from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, FEATURES_PRO
+from birdcage.protocol.hal.own_settings import KNOWN_205, KNOWN_PRO
+from birdcage.protocol.hal.variant import PRO, SAFE_MINIMUM, SEARCH_MINIMUM
 from birdcage.protocol.nvs import row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
@@ -86,11 +87,10 @@ TRAVLER = Facts(
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
     features=FEATURES_205.features,
     has_own_settings=True,
-    settings_known=KNOWN,
+    settings_known=KNOWN_205,
     settings_name="nvs",
     rotctld_name="Winegard Trav'ler RS-485 Rotor",
     connectors=(plugs.TRAVLER,),
-    kin_connectors=(plugs.TRAVLER_PRO,),
     adapters=(plugs.DTECH,),
     origin=by_origin(
         documented="""
@@ -120,3 +120,34 @@ longest of the family (10 to 15 minutes with a search).
 
 OLDER_TRAVLER = replace(TRAVLER, name="older Trav'ler", firmware="hal000", features=FEATURES_000.features)
 """The same dish with HAL 0.0.00: what its papers measured and warn of was told of this one."""
+
+_PRO_INFERRED = """
+    baud azimuth.times elevation.times azimuth.step_deg elevation.step_deg skew.step_deg cable.min_deg cable.max_deg
+    has_stow search_switch has_own_settings readback second_same second_other stop_ladder rotctld_name cable_known
+    moves_one_axis sends_together never_homes settings_name
+"""
+TRAVLER_PRO = replace(
+    TRAVLER,
+    name="Trav'ler Pro",
+    firmware=PRO.firmware,
+    any_baud=True,
+    axes=(TRAVLER.azimuth, replace(TRAVLER.elevation, min_deg=12.0, max_deg=75.0), SKEW),
+    features=FEATURES_PRO.features,
+    floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in PRO.lowest.values()),
+    settings_known=KNOWN_PRO,
+    reflector=None,
+    handling=Handling(),
+    connectors=(plugs.TRAVLER_PRO,),
+    adapters=(),
+    rotctld_name="Winegard Trav'ler Pro Rotor",
+    origin={
+        name: who
+        for name, who in {**TRAVLER.origin, **by_origin(inferred=_PRO_INFERRED)}.items()
+        if not name.startswith("reflector.")
+    },
+)
+"""The Trav'ler Pro (SK2DISH): 12 to 75 degrees; higher it stalls, and may lock up.
+
+Its speeds were never measured: those of the other Trav'lers stand for it, as its motors take the same commands
+(`docs/reference/travler-pro.md`).
+"""

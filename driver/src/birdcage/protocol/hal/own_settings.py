@@ -11,8 +11,7 @@ from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.console.session import Console
 from birdcage.protocol.hal.answers import parse_setting
-from birdcage.protocol.hal.features import SAFE_MINIMUM, SEARCH_MINIMUM
-from birdcage.protocol.hal.variant import NVS
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
 from birdcage.rotator.feature import Range
 from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
 from birdcage.rotator.setting_values import same_value
@@ -23,14 +22,21 @@ _ROW = re.compile(r"\s*(\d{1,6})[).:]?\s+(\S.*?)\s*", re.ASCII)
 _VALUE = re.compile(r"[-+]?\d+(?:\.\d+)?|0[xX][0-9A-Fa-f]+|TRUE|FALSE", re.ASCII)
 _LOW = "Below 15° its own moves are unreliable. Lower down it may run into its end stop, or a feed may hit."
 
-KNOWN: Mapping[int, SettingKnown] = {
-    SEARCH_MINIMUM: SettingKnown(
-        SEARCH_MINIMUM, "deg", range=Range(-90.0, 90.0), danger=_LOW, note="The lowest elevation of its TV search."
-    ),
-    SAFE_MINIMUM: SettingKnown(
-        SAFE_MINIMUM, "deg", range=Range(-90.0, 90.0), danger=_LOW, note="The lowest elevation that it goes to."
-    ),
+_NOTES = {
+    "floor": "The lowest elevation that it goes to.",
+    "floor.search": "The lowest elevation of its TV search.",
 }
+
+
+def known_of(variant: HalVariant) -> Mapping[int, SettingKnown]:
+    """Return what sources tell of the settings of one of the Trav'lers, by row."""
+    return {
+        index: SettingKnown(index, "deg", range=Range(-90.0, 90.0), danger=_LOW, note=_NOTES[name])
+        for name, index in sorted(variant.lowest.items(), key=lambda each: each[1])
+    }
+
+
+KNOWN_205, KNOWN_000, KNOWN_PRO = map(known_of, (HAL205, HAL000, PRO))
 
 
 class _Dish(Protocol):
@@ -43,11 +49,10 @@ class _Dish(Protocol):
 class HalOwnSettings:
     """Implements `OwnSettings` by the menu `nvs`; `dish` is open when anything is asked."""
 
-    known = KNOWN
     tells_saved = False
 
-    def __init__(self, dish: _Dish) -> None:
-        self._dish = dish
+    def __init__(self, dish: _Dish, known: Mapping[int, SettingKnown]) -> None:
+        self._dish, self.known = dish, known
 
     def parse(self, printed: Iterable[str]) -> Mapping[int, SettingRow]:
         """Return the known rows by index. What is printed twice is none.
@@ -55,7 +60,7 @@ class HalOwnSettings:
         How a row is printed no source tells: the first number behind its own is taken. Others stay lines: one of them
         is said to ruin the dish.
         """
-        found = [row for line in printed if (row := _row_of(line)) is not None]
+        found = [row for line in printed if (row := _row_of(line, self.known)) is not None]
         often = Counter(row.index for row in found)
         return {row.index: row for row in found if often[row.index] == 1}
 
@@ -83,12 +88,12 @@ class HalOwnSettings:
         self._dish.console.run(NVS, "s", takes_s=_SAVE_S)
 
 
-def _row_of(line: str) -> SettingRow | None:
+def _row_of(line: str, known: Mapping[int, SettingKnown]) -> SettingRow | None:
     match = _ROW.fullmatch(line)
     if match is None:
         return None
     index, words = int(match[1]), match[2].split()
     values = [at for at, word in enumerate(words) if _VALUE.fullmatch(word)]
-    if values and index in KNOWN:
+    if values and index in known:
         return SettingRow(index, " ".join(words[: values[0]]), words[values[0]], None, None)
     return None

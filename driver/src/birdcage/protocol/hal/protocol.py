@@ -14,13 +14,14 @@ from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
-from birdcage.protocol.hal.commands import COMMANDS_000, COMMANDS_205
-from birdcage.protocol.hal.dialect import DIALECT_000, DIALECT_205
-from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, LOWEST, SAFE_MINIMUM, SEARCH_MINIMUM
-from birdcage.protocol.hal.hazards import HAZARDS_000, HAZARDS_205
-from birdcage.protocol.hal.model import MOVE_TIMES, OLDER_TRAVLER, TRAVLER
+from birdcage.protocol.hal.commands import COMMANDS_000, COMMANDS_205, COMMANDS_PRO
+from birdcage.protocol.hal.dialect import DIALECT_000, DIALECT_205, DIALECT_PRO
+from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, FEATURES_PRO
+from birdcage.protocol.hal.hazards import HAZARDS_000, HAZARDS_205, HAZARDS_PRO
+from birdcage.protocol.hal.model import MOVE_TIMES, OLDER_TRAVLER, TRAVLER, TRAVLER_PRO
 from birdcage.protocol.hal.own_settings import HalOwnSettings
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, HalVariant
+from birdcage.protocol.hal.pages import all_pages
+from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
 from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
@@ -143,27 +144,27 @@ class HalProtocol(FirmwareProtocol):
 
     def stow(self) -> None:
         """Fold the dish flat (`docs/reference/travler.md`, *Stow*). Nothing that is known stops it."""
-        self.console.enter(self.dialect.root)
-        self.console.run(self.dialect.root, "stow", takes_s=_STOW_S, permit=self.permit)
+        self.console.run(self.variant.home, "stow", takes_s=_STOW_S, permit=self.permit)
 
     @property
     def own_settings(self) -> OwnSettings:
         """The settings memory, as that of any machine."""
-        return HalOwnSettings(self)
+        return HalOwnSettings(self, self.model.settings_known)
 
     def survey(self) -> Survey:
         """Read the lowest elevations (NVS 125 and 127): nothing else is told by a known command."""
+        lowest_in = self.variant.lowest
         try:
-            rows = {index: self.read_nvs(index) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)}
+            rows = {index: self.read_nvs(index) for index in sorted(lowest_in.values())}
         except CommandRefused as refused:
             if refused.reason == Reason.WRONG_MENU:
                 raise
             return Survey()  # a dish without these rows, or without this menu: its model's limits hold
-        lowest = rows[SAFE_MINIMUM]
+        lowest = rows[lowest_in["floor"]]
         usable = lowest is not None and self.model.elevation.max_deg > float(lowest) > -90.0
         return Survey(
             settings={row_id(index): value for index, value in rows.items() if value is not None},
-            features={name: float(text) for name, index in LOWEST.items() if (text := rows[index]) is not None},
+            features={name: float(text) for name, index in lowest_in.items() if (text := rows[index]) is not None},
             el_min_deg=float(lowest) if lowest is not None and usable else None,
         )
 
@@ -172,12 +173,12 @@ class HalProtocol(FirmwareProtocol):
         return parse_setting(index, self.console.run(NVS, f"e {index}").lines)
 
     def settings_table(self) -> tuple[str, ...]:
-        """Read what `nvs`, `d` shows (`docs/reference/travler.md`, *Settings*).
+        """Read what `nvs`, `d` shows (`docs/reference/travler.md`, *Settings*), all pages of it.
 
         CommandRefused (`unsupported`) when it shows nothing.
         """
         try:
-            lines = self.console.run(NVS, "d", takes_s=10.0).lines
+            lines = all_pages(self._settings_page) if self.variant.pages else self._settings_page()
         except CommandRefused as refused:
             if refused.reason != Reason.UNKNOWN_COMMAND:
                 raise
@@ -185,6 +186,9 @@ class HalProtocol(FirmwareProtocol):
         if not lines:
             raise self._lacks("listing its settings")
         return lines
+
+    def _settings_page(self) -> tuple[str, ...]:
+        return self.console.run(NVS, "d", takes_s=10.0).lines
 
     def kill_search(self) -> None:
         """End the TV search until the next power-up (`docs/reference/travler.md`, *Start and search*).
@@ -236,3 +240,20 @@ class HAL000Protocol(HalProtocol):
     commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_000
     boot_marks: ClassVar[tuple[str, ...]] = HAL000.boot_marks
     log_marks: ClassVar[tuple[str, ...]] = boot_marks
+
+
+class TravlerProProtocol(HalProtocol):
+    """The Trav'ler Pro: all that moves lies behind the tunnel `odu`, which nothing is known to leave."""
+
+    variant = PRO
+    name: ClassVar[str] = PRO.firmware
+    model: Facts = TRAVLER_PRO
+    dialect: ClassVar[ConsoleDialect] = DIALECT_PRO
+    motor_menu: ClassVar[str] = PRO.motor
+    feature_table: ClassVar[FeatureTable] = FEATURES_PRO
+    hazards: ClassVar[HazardTable] = HAZARDS_PRO
+    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_PRO
+
+    def abort_lines(self) -> tuple[str, ...]:
+        """One bare Enter: a second one right behind it would come too fast, and be lost."""
+        return ("",)

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 NVS = "nvs"
 """The menu of the settings, on all of them."""
+SEARCH_MINIMUM, SAFE_MINIMUM = 125, 127
+"""The rows of a Trav'ler's settings that hold its lowest elevations: of the search, and the safe one
+(`docs/reference/travler.md`, *Elevation*)."""
+LOWEST: Mapping[str, int] = {"floor": SAFE_MINIMUM, "floor.search": SEARCH_MINIMUM}
+"""The features that those rows hold."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +27,8 @@ class HalVariant:
     """The menu in which its TV search is ended."""
     end_search: str
     """The line that ends it there, until the next power-up."""
+    lowest: Mapping[str, int]
+    """The rows of its settings that hold its lowest elevations, by the feature that tells them."""
     boot_marks: tuple[str, ...]
     """Words of the line that ends its homing at power-up."""
     root_marks: frozenset[str]
@@ -29,12 +37,16 @@ class HalVariant:
     """Whether no other console is known to list all of these."""
     foreign: frozenset[str]
     """Commands that show another firmware, whatever stands beside them."""
+    home: str = "root"
+    """The menu that its menus lie in, `stow` and `reboot` with them. Not the root: a tunnel that nothing leaves."""
+    pages: bool = False
+    """Whether `d` shows its settings page by page."""
     unlike: frozenset[str] = frozenset()
     """Commands that show another firmware where no root mark stands beside them."""
 
     @property
     def submenus(self) -> tuple[str, str, str]:
-        """Its menus below the root, as far as they are spoken."""
+        """Its menus, as far as they are spoken, without the root and the tunnel."""
         return self.motor, self.search, NVS
 
 
@@ -44,6 +56,7 @@ HAL205 = HalVariant(
     motor="motor",
     search="ngsearch",
     end_search="s",
+    lowest=LOWEST,
     boot_marks=("NoGPS", "No LNB Voltage"),
     root_marks=frozenset({"motor", "ngsearch"}),
     root_is_own=True,
@@ -56,8 +69,24 @@ HAL000 = HalVariant(
     motor="mot",
     search="os",
     end_search="kill Search",
+    lowest=LOWEST,
     boot_marks=("NoGPS",),
     root_marks=frozenset({"mot", NVS}),
     root_is_own=False,
     foreign=frozenset({"ngsearch", "odu", "a3981"}),
 )
+PRO = HalVariant(
+    firmware="pro",
+    label="a Trav'ler Pro",
+    motor="mot",
+    search="os",
+    end_search="kill Search",
+    boot_marks=(),
+    root_marks=frozenset({"odu"}),
+    root_is_own=True,
+    foreign=frozenset({"ngsearch", "a3981"}),
+    home="odu",
+    lowest={"floor": 125},
+    pages=True,
+)
+"""The outdoor unit behind its tunnel; the indoor unit, which answers first, knows none of this."""

@@ -11,7 +11,7 @@ from birdcage.sim.chance import seeded
 from birdcage.sim.firmware import FirmwareHost
 from birdcage.sim.hal.knobs import HalSettings
 from birdcage.sim.hal.mechanics import SKEW_DEG, HalDish
-from birdcage.sim.hal.memory import SAFE_MINIMUM, HalMemory
+from birdcage.sim.hal.memory import MAXIMUM, STOW_AZ, STOW_EL, HalMemory
 from birdcage.sim.hal.motor_queue import MotorQueue, QueuedMove
 from birdcage.sim.sky import SimSky
 from birdcage.sim.stance import Stance
@@ -25,7 +25,7 @@ class HalBoard:
         self.host = host
         self.machine = host.machine
         self.dish = dish
-        self.memory = HalMemory()
+        self.memory = HalMemory(settings.nvs_rows)
         az, el, skew = dish.axes
         self.turn = MotorQueue(host.machine, (az, el), self._started)
         """Azimuth and elevation exclude each other."""
@@ -40,6 +40,17 @@ class HalBoard:
     def now_s(self) -> float:
         """Dish time."""
         return self.machine.dish_s
+
+    @property
+    def el_max(self) -> float:
+        """The highest elevation that it takes: a row of its memory, where it has one."""
+        return self.memory.active.get(MAXIMUM, self.settings.el_max)
+
+    @property
+    def stow_deg(self) -> tuple[float, float]:
+        """Azimuth and elevation to which it folds: rows of its memory, where it has them."""
+        rows, settings = self.memory.active, self.settings
+        return rows.get(STOW_AZ, settings.stow_az), rows.get(STOW_EL, settings.stow_el)
 
     @property
     def lanes(self) -> tuple[MotorQueue, MotorQueue]:
@@ -80,7 +91,7 @@ class HalBoard:
         settings = self.settings
         if index == 0:
             return wanted_deg if settings.az_outside or 0.0 <= wanted_deg <= 360.0 else None
-        low, high = SKEW_DEG if index == 2 else (-math.inf, settings.el_max)
+        low, high = SKEW_DEG if index == 2 else (-math.inf, self.el_max)
         inside = min(max(wanted_deg, low), high)
         if inside != wanted_deg and settings.out_of_range == "error":
             return None
@@ -101,7 +112,7 @@ class HalBoard:
                 lane.go_on()
 
     def _above_floor(self, el_deg: float) -> float | None:
-        floor = self.memory.active[SAFE_MINIMUM]
+        floor = self.memory.active[self.settings.floor_row]
         if el_deg >= floor or self.settings.below_floor == "clamp":
             return max(el_deg, floor)
         return None if self.settings.below_floor == "refuse" else self._rng.uniform(el_deg, floor)

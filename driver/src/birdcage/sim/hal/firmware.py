@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from birdcage.sim.axis import AxisMechanics
 from birdcage.sim.firmware import FirmwareHost, FirmwareKind
 from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.boot import boot_log, restart_log
 from birdcage.sim.hal.knobs import Hal000Settings, HalSettings
 from birdcage.sim.hal.mechanics import HalDish
+from birdcage.sim.hal.menu import HalMenu
 from birdcage.sim.hal.motor import MotorMenu
 from birdcage.sim.hal.ngsearch import NgsearchMenu
 from birdcage.sim.hal.nvs import HalNvsMenu
@@ -25,12 +28,15 @@ class HalFirmware:
 
     def __init__(self, settings: HalSettings, host: FirmwareHost) -> None:
         self.dish = HalDish(settings, host.truth)
-        self.board = HalBoard(settings, host, self.dish)
+        self.board = self._board(settings, host)
         self.search = HalSearch(self.board)
         submenus = self._submenus()
         self.menus: dict[str, Menu] = {"root": HalRootMenu(self.board, tuple(submenus)), **submenus}
 
-    def _submenus(self) -> dict[str, Menu]:
+    def _board(self, settings: HalSettings, host: FirmwareHost) -> HalBoard:
+        return HalBoard(settings, host, self.dish)
+
+    def _submenus(self) -> Mapping[str, HalMenu]:
         """Return the menus of HAL 2.05 that the root leads to, by name."""
         return {
             "motor": MotorMenu(self.board),
@@ -66,7 +72,7 @@ class Hal000Firmware(HalFirmware):
         self._settings = settings
         super().__init__(settings, host)
 
-    def _submenus(self) -> dict[str, Menu]:
+    def _submenus(self) -> Mapping[str, HalMenu]:
         return {
             "mot": MotorMenu(self.board),
             "os": TaskMenu(self.board, self.search, self._settings),

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
+from birdcage.sim.hal.memory import PRO_ROWS, ROWS, SAFE_MINIMUM, SEARCH_MINIMUM, HalSetting
 from birdcage.sim.settings import SimSettings
 
 
@@ -19,6 +20,11 @@ class HalSettings(SimSettings):
 
     firmware: ClassVar[str] = "hal205"
     reflector_in: ClassVar[tuple[float, float]] = (33.0, 23.0)
+    nvs_rows: ClassVar[Mapping[int, HalSetting]] = ROWS
+    floor_row: ClassVar[int] = SAFE_MINIMUM
+    """Which of them holds the lowest elevation of its moves."""
+    page_rows: ClassVar[int] = 0
+    """How many rows `d` shows at a time; 0 for all."""
     choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
         **SimSettings.choices,
         "prompts": ("named", "alike"),
@@ -94,6 +100,8 @@ class HalSettings(SimSettings):
     (assumed)."""
     el_max: float = 90.0
     """Highest elevation that it takes (noted)."""
+    el_stop: float = 93.0
+    """Where its mechanics end at the top: beyond 90 (written); the figure (assumed)."""
     out_of_range: str = "error"
     """Whether other targets beyond the limits are refused or moved to the limit (open)."""
     out_of_range_text: str = "Angle out of range."
@@ -143,3 +151,38 @@ class Hal000Settings(HalSettings):
     """What `kill Search` answers (open)."""
     no_task_text: str = "No such task."
     """What `kill` says of a task that does not run (open)."""
+
+
+@dataclass(frozen=True, slots=True)
+class ProSettings(Hal000Settings):
+    """The knobs of a Trav'ler Pro: what differs from HAL 0.0.00, and its indoor unit with the tunnel."""
+
+    firmware: ClassVar[str] = "pro"
+    nvs_rows: ClassVar[Mapping[int, HalSetting]] = PRO_ROWS
+    floor_row: ClassVar[int] = SEARCH_MINIMUM
+    page_rows: ClassVar[int] = 3
+    choices: ClassVar[Mapping[str, tuple[str, ...]]] = {
+        **Hal000Settings.choices,
+        "boot_line": ("none",),
+        "odu_q": ("error", "ignore", "kill", "leave"),
+        "too_high": ("lock_up", "stall"),
+    }
+
+    boot_line: str = "none"
+    head: str = "IDU ready"
+    prompt_root: str = "IDU>"
+    prompt_odu: str = "ODU>"
+    """The prompt of the outdoor unit, behind the tunnel (open)."""
+    odu_q: str = "error"
+    """What `q` does in the outdoor unit's own menu: its program sends it there and goes on (written), so an error or
+    nothing; that it kills the shell or leads back through the tunnel is possible (open)."""
+    homes: bool = True
+    """Whether it homes at power-up: not all of them do (written). Without, it knows where it stands (assumed)."""
+    el_stop: float = 75.3
+    """Where its elevation stalls: past 75 (written); the figure (assumed)."""
+    too_high: str = "lock_up"
+    """What follows a stall up there: silence until a power cycle ("may lock up": written), or nothing more."""
+    gap_s: float = 0.9
+    """A line that begins sooner after the one before is lost; its program waits 1 s (written). 0 for none."""
+    motor_gap_s: float = 0.15
+    """The same in the motor menu, where its program waits for nothing (written); the figure (assumed)."""

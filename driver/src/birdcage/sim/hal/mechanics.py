@@ -12,7 +12,7 @@ from birdcage.sim.hal.knobs import HalSettings
 
 STEPS = 36000
 """The position is read to 0.01 degrees (`docs/reference/travler.md`, *Position*)."""
-AZ_STOPS_DEG, EL_STOPS_DEG, SK_STOPS_DEG = (-2.0, 457.0), (-3.0, 93.0), (-2.0, 182.0)
+AZ_STOPS_DEG, EL_LOW_STOP_DEG, SK_STOPS_DEG = (-2.0, 457.0), -3.0, (-2.0, 182.0)
 """Elevation passes 0 and 90, and the cable holds 455 degrees (`docs/reference/travler.md`, *Elevation* and *Cable*)."""
 HOMES_DEG = 0.0, 30.0, 90.0
 SKEW_DEG = 0.0, 180.0
@@ -80,9 +80,9 @@ class HalDish(DishMechanics):
         if unknown:
             places = rng.uniform(0.0, 360.0), rng.uniform(20.0, 60.0), rng.uniform(*SKEW_DEG)
         share_s = max(settings.boot_home_s / 3.0, 1.0) * HOMING_SHARE
-        axes = []
+        axes, el_stops = [], (EL_LOW_STOP_DEG, settings.el_stop)
         for name, stops, home, place in zip(
-            ("AZ", "EL", "SK"), (AZ_STOPS_DEG, EL_STOPS_DEG, SK_STOPS_DEG), HOMES_DEG, places, strict=True
+            ("AZ", "EL", "SK"), (AZ_STOPS_DEG, el_stops, SK_STOPS_DEG), HOMES_DEG, places, strict=True
         ):
             low, high = stops
             homing_rate = 2.0 * (high - low) / share_s

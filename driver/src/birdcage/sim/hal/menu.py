@@ -14,6 +14,8 @@ class HalMenu:
     """One submenu. A subclass fills `commands` (documented) and `help_lines` (what `?` prints: open)."""
 
     help_lines: tuple[str, ...] = ()
+    above = "root"
+    """Where `q` leads."""
 
     def __init__(self, board: HalBoard, prompt: str) -> None:
         self.board = board
@@ -40,4 +42,4 @@ class HalMenu:
         yield "".join(f"{line}\n" for line in self.help_lines)
 
     def _leave(self, args: list[str]) -> Script:  # noqa: ARG002
-        yield Enter("root")
+        yield Enter(self.above)

@@ -41,7 +41,7 @@ class HalRootMenu(HalMenu):
             yield f"{board.settings.unhomed_text}\n"
             return
         board.put(2, board.dish.axes[2].data.home_deg)
-        board.put(0, board.settings.stow_az)
-        board.put(1, board.settings.stow_el)
+        for index, angle in enumerate(board.stow_deg):
+            board.put(index, angle)
         while board.settings.stow_blocks and board.turn.busy:
             yield Pause(max(board.turn.end_s() - board.now_s, 0.01))

@@ -71,7 +71,8 @@ class HalSearch:
         self._steps += 1
         if not second:
             low = board.memory.active[SEARCH_MINIMUM]
-            goal = low + EL_STEP_DEG * sweep % max(board.settings.el_max - low, EL_STEP_DEG)
+            top = min(board.el_max, board.settings.el_stop - EL_STEP_DEG)
+            goal = low + EL_STEP_DEG * sweep % max(top - low, EL_STEP_DEG)
             self._move(el, goal)
             return
         self._next_s = now + SHORTEST_SWEEP_S
