@@ -63,7 +63,7 @@ class DriveTask(Task):
         if here is None:
             raise PositionUnknown("The dish does not know where it points, so it is not driven.")
         targets = []
-        # Until the next reading at least, so that it does not halt meanwhile.
+        # It must have somewhere to go until the next reading.
         ahead_s = max(AHEAD_S, (model.least_look_interval_s or 0.0) + EVERY_S)
         motion, in_turn = self._antenna.motion, self._antenna.strategy.one_at_a_time
         # One move at a time begins where the last one ends; else each replaces the last, and is counted from here.
