@@ -51,7 +51,8 @@ class Attempt:
     """A pass, and what is guessed of the dish."""
 
     case: Case
-    guess: str
+    options: str
+    firmware: str = FIRMWARE
     seed: int = 1
 
 
@@ -67,6 +68,8 @@ class Told:
     commands: int
     beyond: float
     """The greatest excess over the error foreseen for its own half minute, root mean square."""
+    rate_deg_s: float
+    """Of the target, on the sky, root mean square."""
 
     @property
     def ratio(self) -> float:
@@ -77,10 +80,10 @@ class Told:
 def attempt(work: Attempt) -> Told | None:
     """Follow a pass; None where it is out of the dish's reach, or for less than a minute within."""
     clock = VirtualClock(datetime.fromtimestamp(work.case.passing.aos.timestamp() - EARLY_S, UTC))
-    options = "&".join(filter(None, (GUESSES[work.guess], "latency_min=0.02", "latency_max=0.1", f"seed={work.seed}")))
-    device = open_device(f"{FIRMWARE}?{options}", clock=clock)
+    options = "&".join(filter(None, (work.options, "latency_min=0.02", "latency_max=0.1", f"seed={work.seed}")))
+    device = open_device(f"{work.firmware}?{options}", clock=clock)
     settings = StationSettings(
-        port="sim:bench", firmware=FIRMWARE,
+        port="sim:bench", firmware=work.firmware,
         open_link=lambda port, baud: Link(SimPort(device, port, baud=baud), clock),
     )  # fmt: skip
     session = Session(clock, station := Station(clock, settings))
@@ -107,10 +110,11 @@ def attempt(work: Attempt) -> Told | None:
             times.append(now_s)
             errors.append(separation(truth.az_deg, truth.el_deg, *plan.sky.at(now_s)))
             session.step(1.0 / SAMPLES_HZ)
-    sent = [line for _at, line in list(device.shell.received)[before:] if line.startswith("g")]
+    sent = [line for _at, line in list(device.shell.received)[before:] if line.startswith(("g", "a "))]
     return Told(
         _rms(errors), max(errors), forecast.rms_deg, forecast.max_deg, times[-1] - times[0], len(sent),
         _beyond(np.array(times), np.array(errors), forecast.t_s, forecast.error_deg),
+        _rms([separation(*plan.sky.at(at), *plan.sky.at(at + 1.0)) for at in times[:: int(SAMPLES_HZ)]]),
     )  # fmt: skip
 
 
@@ -119,8 +123,8 @@ def by_time(cases: Sequence[Case], pool: Pool) -> dict[str, float]:
     head = f"{'rms':>8}{'foreseen':>10}{'worst ratio':>13}{'of the max':>12}{'of a part':>11}"
     print(f"\nCarryout of 2003, whole station   {head}")
     found: dict[str, list[Told]] = {}
-    for guess in GUESSES:
-        works = [Attempt(case, guess) for case in cases]
+    for guess, options in GUESSES.items():
+        works = [Attempt(case, options) for case in cases]
         told = found[guess] = [each for each in pool.imap(attempt, works, chunksize=1) if each is not None]
         print(
             f"{guess:34}{median(each.rms for each in told):8.3f}{median(each.foreseen_rms for each in told):10.3f}"

@@ -59,6 +59,13 @@ def test_the_first_look_tells_whether_it_tells_where_it_is(bare, readback):
         assert bench.lines().count("a") > asked, "after homing it may tell"
 
 
+def test_a_root_that_shows_another_prompt_is_not_taken_for_one_of_them():
+    bench = g2plus("&root_prompt=HAL>")
+    with pytest.raises(NoReply):
+        bench.dish.meet()
+    assert set(bench.lines()) <= {"", "?"}
+
+
 def test_an_axis_that_is_not_homed_is_told_too():
     bench = g2plus("&unhomed=1")
     bench.dish.meet()

@@ -32,7 +32,7 @@ GO = Golden(
 LATE = "lag_min_s=1.5&lag_max_s=1.5&az_speed=10"
 
 
-@pytest.fixture(params=["lag_max_s=0", LATE, f"{LATE}&lag_ack=at_once"])
+@pytest.fixture(params=["lag_max_s=0", "lag_max_s=0&lf_after_cr=line", LATE, f"{LATE}&lag_ack=at_once"])
 def bench(request):
     late = LATE in request.param
     return MachineBench(

@@ -21,6 +21,8 @@ class KinSettings(TrkSettings):
         "lag_ack": ("executed", "at_once"),
     }
 
+    root_prompt: str = "TRK>"
+    """What the root shows (assumed: only that of the motor menu was read)."""
     bare_a: str = "error"
     """What `a` without a number prints: both angles as a G2 does, that a parameter is missing, nothing, or the angle
     that the azimuth was last sent to (open)."""

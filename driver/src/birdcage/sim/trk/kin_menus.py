@@ -16,13 +16,11 @@ WHAT = {"mot": "Motor Control", "nvs": "Non-Volatile Storage"}
 
 
 class KinRootMenu(TrkMenu[KinBoard]):
-    """Enters submenus; its prompt is that of a G2 (assumed)."""
-
-    prompt = "TRK>"
+    """Enters submenus."""
 
     def __init__(self, board: KinBoard) -> None:
         super().__init__(board)
-        self._menus = board.settings.menu_words
+        self.prompt, self._menus = board.settings.root_prompt, board.settings.menu_words
         self.help_lines = ("help [<command>]", *(f"Enter <{name}> - {WHAT[name]}" for name in self._menus), "q")
         self.commands |= {"q": self._quit}
 
