@@ -357,7 +357,7 @@ def test_a_shell_that_blocks_on_either_axis(terminal):
 
 
 @pytest.mark.parametrize(
-    ("style", "printed"), [("angle", "Angle = 200.00\r\n"), ("none", ""), ("np", "m 0  a 20000  np 22222\r\n")]
+    ("style", "printed"), [("angle", "Angle = 200.00\r\n"), ("none", ""), ("np", "m 0  a 20000  np 131428\r\n")]
 )
 def test_what_a_move_prints(terminal, style, printed):
     dish = at_mot(terminal, f"move_reply={style}")
