@@ -59,6 +59,12 @@ def test_what_is_no_direction_is_not_told(at, words) -> None:
     assert at("pos").exit_code != 0
 
 
+def test_init_says_that_a_person_has_to_tell_it(at) -> None:
+    said = at("init")
+    assert "not homed" not in said.stderr
+    assert "It counts from where it was switched on. `birdcage sync AZ EL`" in said.stderr
+
+
 def test_home_says_what_to_do_instead(at) -> None:
     said = at("home", "--yes")
     assert said.exit_code != 0

@@ -135,7 +135,7 @@ class BootFollower:
 
 
 def _describe(dish: DishSession) -> None:
-    from birdcage.cli.dish import how_to_home
+    from birdcage.cli.dish import how_to_home, why_unknown
     from birdcage.cli.say import say
     from birdcage.station.state import Activity, TvSearch
 
@@ -146,7 +146,7 @@ def _describe(dish: DishSession) -> None:
     if state.activity is Activity.MOVING_UNASKED:
         say("The dish moves by itself: its TV search, or homing after power-up. Keep clear of it.")
     elif state.homed is False:
-        say(f"The dish is not homed, so it does not know where it points. {how_to_home(state)}")
+        say(why_unknown(state))
     elif state.position_text:
         say(f"{state.position_text} {how_to_home(state)}")
     elif state.position is not None and state.position_lost is None:
