@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.g2.sleep import TIMER
 
-from .fault import ANY, FAR, MOVING, REST, Expect, Fault, nothing, skew
+from .fault import ANY, CONSOLES, FAR, MOVING, REST, Expect, Fault, nothing, skew
 from .stage import Stage
 
 
@@ -21,13 +21,15 @@ def frees(axis: int):
 def obstruct(stage: Stage) -> None:
     """Put something solid into the way of the azimuth: it meets a stop 40 degrees before its target."""
     axis, now = stage.device.dish.axes[0], stage.device.machine.dish_s
-    stage.stops = axis._gear.low_deg, axis._gear.high_deg
-    axis._gear.high_deg = axis.count(now)[0] + FAR[stage.dialect][0] - stage.truth.az_deg - 40.0
+    ends = axis._gear if stage.has_menus else axis.data
+    stage.stops = ends.low_deg, ends.high_deg
+    ends.high_deg = axis.count(now)[0] + FAR[stage.dialect][0] - stage.truth.az_deg - 40.0
 
 
 def clear(stage: Stage) -> None:
-    gear = stage.device.dish.axes[0]._gear
-    gear.low_deg, gear.high_deg = stage.stops
+    axis = stage.device.dish.axes[0]
+    ends = axis._gear if stage.has_menus else axis.data
+    ends.low_deg, ends.high_deg = stage.stops
 
 
 def reboot(stage: Stage) -> None:
@@ -102,7 +104,7 @@ DISH_FAULTS = (
         "limit", "An axis meets a stop before its target", obstruct, clear, expect=STALLED, before=True, lasts_s=LONG
     ),
     Fault(
-        "refused", "The dish refuses the command", refuse, obey, before=True,
+        "refused", "The dish refuses the command", refuse, obey, before=True, dialects=CONSOLES,
         expect={
             MOVING: Expect(motion="not_taken", stop="nothing|after a look|at once"),
             "hal205 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
@@ -131,7 +133,7 @@ DISH_FAULTS = (
     Fault("reboot", "The dish restarts", reboot, expect=RESTARTED, own_motion=True, lasts_s=BOOT),
     Fault("brown-out", "A brown-out: it restarts, homing forgotten", brown_out, expect=RESTARTED, lasts_s=LONG),
     Fault(
-        "quiet brown-out", "A brown-out without a word", quiet_brown_out, lasts_s=LONG,
+        "quiet brown-out", "A brown-out without a word", quiet_brown_out, lasts_s=LONG, dialects=CONSOLES,
         expect={
             REST: Expect("silent|-", fault="unhomed", held="link|fault"),
             MOVING: Expect("silent|-", fault="unhomed", held="link|fault", motion="link|fault|stopped"),

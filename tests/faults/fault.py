@@ -11,7 +11,9 @@ from birdcage.station.requests import Goto, TurnSkew
 if TYPE_CHECKING:
     from .stage import Stage
 
-DIALECTS = ("g2", "g2plus", "hal205", "hal000", "pro")
+DIALECTS = ("g2", "g2plus", "hal205", "hal000", "pro", "easycomm")
+CONSOLES = tuple(each for each in DIALECTS if each != "easycomm")
+"""Those with prompts, menus and an echo."""
 REST, MOVING = "at rest", "in mid-move"
 ANY = "at once|after a look|nothing"
 """Where nothing is known to move, STOP may have nothing to send, and looks."""

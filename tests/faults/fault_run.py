@@ -143,10 +143,11 @@ class FaultRun:
     def _strayed(self, stage: Stage) -> list[str]:
         start_az, start_el = START[self.dialect]
         far_az, far_el = FAR[self.dialect] if self.when == MOVING else START[self.dialect]
-        way = shortest_turn(start_az, far_az)
+        way, beyond = shortest_turn(start_az, far_az), 0.3 if stage.has_menus else 1.0  # a control loop swings past
         for az, el in stage.recorder.places:
             turn = shortest_turn(start_az, az)
-            if not (min(0.0, way) - 0.3 < turn < max(0.0, way) + 0.3 and start_el - 0.3 < el < far_el + 0.3):
+            along = min(0.0, way) - beyond < turn < max(0.0, way) + beyond
+            if not (along and start_el - beyond < el < far_el + beyond):
                 return [f"went to {az:.1f}/{el:.1f}"]
         return []
 
@@ -165,6 +166,9 @@ class FaultRun:
         deeds: list[str] = []
         self.watching = False
         self._make_ready(stage, deeds)
+        if stage.must_be_told:
+            stage.tell_where()
+            deeds.append("tell it where it points")
         if stage.state.homed is False:
             homed = stage.do(Home("you"), 90.0)
             deeds.append("home")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
+from birdcage.rotator import machines
 from birdcage.sim.port import firmware_names
 
 from .dish_faults import DISH_FAULTS
@@ -12,7 +12,7 @@ from .outcome import Outcome
 from .wire_faults import WIRE_FAULTS
 
 FAULTS = (*WIRE_FAULTS, *DISH_FAULTS)
-SPOKEN = tuple(each for each in DIALECTS if each in FIRMWARE_REGISTRY and each in firmware_names())
+SPOKEN = tuple(each for each in DIALECTS if each in machines.names() and each in firmware_names())
 """The dialects that both the driver and the simulator speak."""
 CELLS = tuple(
     (fault, dialect, when) for fault in FAULTS for dialect in SPOKEN if dialect in fault.dialects

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from .stage import Stage
 
 NEAR_DEG = 0.1
+LOOP_DEG = 0.35
+"""One with a control loop tells tenths of a degree, as they were at its last round: a hundredth of a second ago."""
 RSSI = re.compile(r"RSSI\[avg:\s*(\d+)")
 KEPT_S = 6.0
 """How long the truth is remembered: an answer is given up long before."""
@@ -48,7 +50,7 @@ class Recorder:
     def asked(self, data: bytes) -> None:
         """A line goes out: what is told from now on may be as old as this, and no older."""
         self.look()
-        if data.strip() == b"a":
+        if data.strip() in (b"a", b"EL", b"AZ EL"):
             self._asked_at = self.stage.now
 
     def look(self) -> None:
@@ -101,7 +103,7 @@ class Recorder:
         if not any(truth.homed for truth in span):
             self._note("a position told, and the dish does not know it")
         for axis, by_deg in off.items():
-            if by_deg > NEAR_DEG:
+            if by_deg > (NEAR_DEG if self.stage.has_menus else LOOP_DEG):
                 kind = "modelled" if position.modelled else "read"
                 self._note(f"{axis} {kind} {by_deg:.2f}° off")
 

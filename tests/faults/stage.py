@@ -2,31 +2,37 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 
 from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import LinkError
+from birdcage.base.reason import Reason
 from birdcage.link.link import Link
 from birdcage.link.ports import PortInfo
 from birdcage.sim.port import SimPort, open_device
 from birdcage.station.build import _finder
-from birdcage.station.requests import Watch
+from birdcage.station.requests import Sync, Watch
 from birdcage.station.session import Session
 from birdcage.station.settings import StationSettings
 from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
+from .fault import CONSOLES
 from .recorder import Recorder
 
 PORT = "/dev/ttyUSB0"
 OTHER_PORT = "/dev/ttyUSB1"
 STEP_S = 0.1
+TARGET = re.compile(rb"(AZ|EL)-?\d")
+"""A line of the rotator without a prompt that sends it."""
 ADDRESSES = {
     "g2": "g2?seed=1&az=-180&az_speed=10&el_speed=3",
     "g2plus": "g2plus?seed=1&az=-180&az_speed=10&el_speed=3",
     "hal205": "hal205?seed=1&boot_home_s=20&search_finds=0",
     "hal000": "hal000?seed=1&boot_home_s=20&search_finds=0",
     "pro": "pro?seed=1&boot_home_s=20&search_finds=0",
+    "easycomm": "easycomm?seed=1&az=90&el=25&el_homes=0",
 }
 """The dialects of the matrix, and a dish of each whose slews are long enough for something to happen in them."""
 
@@ -44,7 +50,8 @@ class Written:
     def moves(self) -> bool:
         """Whether these bytes set an axis in motion, on any of the dialects."""
         return any(
-            line in (b"r", b"e", b"stow") or line.startswith((b"a ", b"g ", b"h ")) for line in self.data.split(b"\r")
+            line in (b"r", b"e", b"stow") or line.startswith((b"a ", b"g ", b"h ")) or TARGET.match(line)
+            for line in re.split(b"[\r\n]", self.data)
         )
 
 
@@ -117,17 +124,23 @@ class Stage:
 
     def _mark_stop(self) -> None:
         """Lines that STOP writes are known by the one way that they go."""
-        protocol = self.station._antenna.rotator.protocol
-        interject = protocol.interject
+        rotator = self.station._antenna.rotator
+        writer, name = (rotator.protocol, "interject") if self.has_menus else (rotator._rotator, "stop_now")
+        write = getattr(writer, name)
 
-        def interjecting(lines: tuple[str, ...]) -> None:
+        def writing(what: object) -> None:
             self.stopping = True
             try:
-                interject(lines)
+                write(what)
             finally:
                 self.stopping = False
 
-        protocol.interject = interjecting  # type: ignore[method-assign]
+        setattr(writer, name, writing)
+
+    @property
+    def has_menus(self) -> bool:
+        """Whether it is a console."""
+        return self.dialect in CONSOLES
 
     @property
     def motor_menu(self) -> str:
@@ -175,7 +188,19 @@ class Stage:
         features = {"position", "rssi"} if self.state.dish.has_rssi else {"position"}
         self.station.submit(Watch("person", frozenset(features), 2.0))
         assert self.until(lambda: self.is_up and self.state.surveyed, 60.0), self.state.link
+        self.tell_where()
         self.step(3.5)
+
+    @property
+    def must_be_told(self) -> bool:
+        """Whether it waits for a person to tell where it points."""
+        return self.state.position_lost == Reason.UNSYNCED
+
+    def tell_where(self) -> None:
+        """Tell it that, where only a person can."""
+        if self.must_be_told:
+            told = self.do(Sync(self.truth.az_deg, None, "you", agreed=True))
+            assert not isinstance(told, Exception), told
 
     def do(self, request, seconds: float = 60.0):
         """Ask for something and wait for it; return what came of it, an error included."""

@@ -11,9 +11,10 @@ from .verdict import worst_link
 
 UNREADABLE = "“an answer cannot be read”"
 SHORT = (
-    (r"The dish is silent", "“The dish is silent”"),
+    (r"The (?:dish|machine) is silent", "“The dish is silent”"),
     (r"The dish answered .* and did not move", "“The dish did not move”"),
-    (r"What arrives on|The dish talks on|Only our own|The dish answered|.*do not fit together", UNREADABLE),
+    (r"What arrives on|The (?:dish|machine) talks on|The rotator t(?:ells|old)", UNREADABLE),
+    (r"Only our own|The dish answered|.*do not fit together", UNREADABLE),
     (r"The dish refused", "“The dish refused the command”"),
     (r".* is gone:", "“The port is gone”"),
     (r".* is not there", "“The port is not there. Plug it in”"),

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from birdcage.sim.wire import Byte
 
-from .fault import MOVING, REST, Expect, Fault
-from .stage import OTHER_PORT, PORT, Stage
+from .fault import CONSOLES, DIALECTS, MOVING, REST, Expect, Fault
+from .stage import OTHER_PORT, PORT, TARGET, Stage
 
 RARELY = 0.01
 """The share of the bytes that are lost, doubled or changed: about one in every other answer."""
@@ -51,9 +51,10 @@ def noise(stage: Stage) -> None:
 def leading_digit(stage: Stage) -> None:
     """Change the first digit of an answer's first number, in one answer of seven."""
     seen = {"answers": 0, "number": False}
+    before = b"=" if stage.has_menus else b"ZL"
 
     def change(value: int) -> Byte:
-        if value == ord("="):
+        if value in before:
             seen["answers"] += 1
             seen["number"] = seen["answers"] % 14 == 1
         elif seen["number"] and chr(value).isdigit():
@@ -71,7 +72,10 @@ def lose_digit_of_command(stage: Stage) -> None:
     def lose(value: int) -> Byte:
         sent.append(value)
         words = bytes(sent).rpartition(b"\r")[2].split(b" ")
-        if len(words) > 1 and words[0] in (b"a", b"g") and words[-1] and len(words) == (3 if words[0] == b"a" else 2):
+        angle = (
+            len(words) > 1 and words[0] in (b"a", b"g") and words[-1] and len(words) == (3 if words[0] == b"a" else 2)
+        )
+        if angle or TARGET.fullmatch(bytes(sent).rpartition(b"\n")[2]):
             stage.device.wire.to_dish.set_plan(None)
             return Byte(drop=True)
         return Byte()
@@ -121,9 +125,14 @@ PATCHY = {
 }  # fmt: skip
 """An answer that is damaged beyond reading is silence; one that is not is nothing."""
 UNNOTICED = {REST: Expect(), MOVING: Expect(motion="arrives")}
-GONE = {REST: Expect("lost", held="link"), MOVING: Expect("lost", held="link", motion="link")}
+GONE = {
+    REST: Expect("lost", held="link"), MOVING: Expect("lost", held="link", motion="link"),
+    # Whoever may have been without power has to be told where it points.
+    "easycomm at rest": Expect("lost", fault="unhomed", held="link"),
+    "easycomm in mid-move": Expect("lost", fault="unhomed", held="link", motion="link"),
+}  # fmt: skip
 
-NOISY = ("g2", "hal205", "hal000", "pro")
+NOISY = tuple(each for each in DIALECTS if each != "g2plus")
 
 WIRE_FAULTS = (
     Fault(
@@ -142,7 +151,11 @@ WIRE_FAULTS = (
     ),
     Fault(
         "command", "A digit of a command is lost on its way", lose_digit_of_command, no_loss, before=True,
-        expect={MOVING: Expect("silent", held="link", motion="link|blocked|garbage")}, astray=True,
+        expect={
+            MOVING: Expect("silent", held="link", motion="link|blocked|garbage"),
+            "easycomm in mid-move": Expect(fault="stall", held="fault", motion="stall"),
+        },
+        astray=True,
     ),
     Fault(
         "split", "Answers come byte by byte", answers(pace_baud=1200), answers(pace_baud=0), expect=UNNOTICED
@@ -155,7 +168,7 @@ WIRE_FAULTS = (
         "too late", "Answers come 3 s late", answers(delay_min_s=3.0, delay_max_s=3.0),
         answers(delay_min_s=0.0, delay_max_s=0.0), expect=SILENT,
     ),
-    Fault("no echo", "The echo is missing", no_echo, echo, expect=SILENT),
+    Fault("no echo", "The echo is missing", no_echo, echo, expect=SILENT, dialects=CONSOLES),
     Fault("unsolicited", "Lines without a question", chatter, again=chatter, expect=UNNOTICED),
     Fault("closed", "The system closes the port, which is there", close, expect=GONE, port=False),
     Fault("unplugged", "The adapter is unplugged and comes back", unplug, plug, expect=GONE, port=False),
