@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, MotionRefused, PositionUnknown
-from birdcage.easycomm.facts import FACTS, STOCK_FACTS
+from birdcage.easycomm.facts import FACTS, RP2040_FACTS, STOCK_FACTS
 from birdcage.rotator.verdict import Grade
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Raw, Read, Release, Set, Sync
 from birdcage.station.state import Activity
@@ -131,6 +131,12 @@ def test_reset_is_never_sent_as_homing_to_an_rp2040():
         refusal = stage.refused(Home("you"), MotionRefused, CommandRefused)
         assert "no homing" in str(refusal)
         assert "RESET" not in lines(stage)
+
+
+def test_before_it_is_met_homing_is_not_ruled_out():
+    """`birdcage home` asks the rotator then, and does not refuse by what is known of the other one."""
+    assert FACTS.no_homing == STOCK_FACTS.no_homing == ""
+    assert "birdcage sync" in RP2040_FACTS.no_homing
 
 
 def test_the_stock_firmware_homes_both_axes_by_one_reset():

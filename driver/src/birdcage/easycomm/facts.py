@@ -59,13 +59,12 @@ FACTS = Facts(
     ),
     slew=None,
     search_switch=SearchSwitch.NEVER_SEARCHES,
-    homing_s=None,
-    never_homes=True,
+    homing_s=STOCK_HOMING_S,
     zero_at_power_up=(AZIMUTH,),
     boot_s=RP2040_BOOT_S,
     readback=Readback.ALWAYS,
     sends_together=True,
-    power_switch="supply of the motors",
+    power_switch="motor supply",
     tells_version=True,
     features={each: feature for each, feature in FEATURES.features.items() if each in RP2040_IDS},
     rotctld_name="SatNOGS rotator",
@@ -78,7 +77,7 @@ FACTS = Facts(
         documented="""
             name firmware baud azimuth.min_deg azimuth.max_deg elevation.min_deg elevation.max_deg azimuth.step_deg
             elevation.step_deg azimuth.speed_deg_s elevation.speed_deg_s turn second_same second_other stop_ladder
-            search_switch never_homes zero_at_power_up readback cable.min_deg cable.max_deg tells_version boot_s
+            search_switch homing_s zero_at_power_up readback cable.min_deg cable.max_deg tells_version boot_s
         """,
         inferred="""
             azimuth.acceleration_deg_s2 elevation.acceleration_deg_s2 azimuth.overshoot_deg elevation.overshoot_deg
@@ -86,6 +85,8 @@ FACTS = Facts(
         """,
     ),
 )
+"""Of the class, before one was met: the widest that either has, so homing, too."""
+RP2040_FACTS = replace(FACTS, homing_s=None, never_homes=True)
 """The RP2040 base station: 16 RPM by 40:15 and 55:40 at a duty of 35 %, and a dead-band of 0.05°."""
 STOCK_FACTS = replace(
     FACTS.with_axes(
@@ -93,8 +94,6 @@ STOCK_FACTS = replace(
         replace(FACTS.elevation, speed_deg_s=13.33, acceleration_deg_s2=6.0, step_deg=0.01, overshoot_deg=0.0),
     ),
     cable=CableRange(0.0, 360.0),
-    homing_s=STOCK_HOMING_S,
-    never_homes=False,
     zero_at_power_up=(),
     boot_s=STOCK_BOOT_S,
     features={each: feature for each, feature in FEATURES.features.items() if each in STOCK_IDS},
