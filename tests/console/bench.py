@@ -12,7 +12,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
 from birdcage.link.port import Port
-from birdcage.protocol.hal import HAL000Protocol, HAL205Protocol
+from birdcage.protocol.hal import HAL000Protocol, HAL205Protocol, TravlerProProtocol
 from birdcage.sim.wire import PASS, Byte
 from hypothesis import strategies as st
 
@@ -33,6 +33,7 @@ LEARNT = ConsoleDialect(
 TRAVLERS = {
     "hal205": {"dialect": HAL205Protocol.dialect, "names": {"mot": "motor", "dvb": "ngsearch", "agc": "?"}},
     "hal000": {"dialect": HAL000Protocol.dialect, "names": {"dvb": "os", "agc": "?"}},
+    "pro": {"dialect": TravlerProProtocol.dialect, "names": {"dvb": "os", "agc": "?"}},
 }
 """The Trav'lers, and what the drawn steps mean on each."""
 

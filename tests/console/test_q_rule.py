@@ -76,7 +76,7 @@ NESTED = {
 for _script in NESTED.values():
     _script.update(make=nested.Dish, names=NESTED_NAMES)
 LEARNT_SIMULATORS = {
-    f"{firmware}?root_q=kill&prompts={prompts}": kind
+    f"{firmware}?root_q=kill&prompts={prompts}{'&odu_q=kill' if firmware == 'pro' else ''}": kind
     for firmware, kind in bench.TRAVLERS.items() for prompts in ("named", "alike")
 }  # fmt: skip
 """Where prompts are learnt: decision 0010."""
