@@ -10,13 +10,14 @@ from functools import cache
 import pytest
 from birdcage.link.opening import ENTRY_POINTS
 from birdcage.rotator.machines import DIALECTS, MACHINES
+from birdcage.sim.port import TWINS
 
 from tests.house.pages import ROOT, text_of
 
 ABOUT_THE_CODE = ("CONTRIBUTING.md", "docs/architecture.md")
 BELOW = ("", "docs", "driver/src/birdcage", "tui/src/birdcage_tui", "driver/src", "tui/src")
 """Where a path that a page names may begin."""
-GROUPS = frozenset({ENTRY_POINTS, DIALECTS, MACHINES})
+GROUPS = frozenset({ENTRY_POINTS, DIALECTS, MACHINES, TWINS})
 """Of entry points."""
 OF_THE_USER = frozenset({"birdcage.toml"})
 """Files that stand in nobody's clone."""
