@@ -30,7 +30,7 @@ DEFAULT = re.compile(r'^(?:DEFAULT|DEMO)_FIRMWARE = "\w+"$', re.MULTILINE)
 """What is tried first, and what the demo is."""
 
 READERS = {"startswith", "endswith", "find", "rfind", "index", "count", "partition", "rpartition", "removeprefix"}
-VALUES = {"homed"}
+VALUES = {"homed", "position"}
 """Words that dialects print, and that the seam has as values of its own (`Verdict.forgets`)."""
 PATTERNS = {"compile", "search", "match", "fullmatch", "findall", "finditer", "split", "sub"}
 
