@@ -114,4 +114,4 @@ def test_a_dish_that_is_not_homed_is_not_turned(run):
 def test_a_carryout_is_refused_by_what_it_tells(run):
     result = run("motors", "--yes", port="sim:carryout", firmware="carryout")
     assert result.exit_code == 4
-    assert "tells only while it moves, and never at rest where it is" in result.stderr
+    assert "tells where it is only on its way" in result.stderr

@@ -224,7 +224,7 @@ def test_values_that_make_no_test_are_refused(values):
 
 
 @pytest.mark.parametrize(("firmware", "why"), [
-    ("hal205", "moves in silence"), ("carryout", "tells only while it moves"),
+    ("hal205", "moves in silence"), ("carryout", "tells where it is only on its way"),
 ])  # fmt: skip
 def test_what_tells_nothing_while_it_moves_is_not_measured(firmware, why):
     bench = MotorBench(firmware=firmware)

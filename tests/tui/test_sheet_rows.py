@@ -34,6 +34,7 @@ def test_a_machine_that_is_not_known_or_tells_nothing_has_no_rows():
     assert sheet_rows(CARRYOUT_2003, FeaturePage.RECEIVER) == ()
     assert absent_groups("carryout", FeaturePage.RECEIVER)[:2] == ("Signal", "Channel")
     assert absent_groups("g2", FeaturePage.HARDWARE) == ()
+    assert absent_groups("rotctl", FeaturePage.HARDWARE) == (), "it has no kin"
 
 
 @pytest.mark.parametrize(

@@ -138,14 +138,14 @@ def test_a_hazard_is_read_only_after_a_question():
     assert after == [Read(("risky",), agreed=True)]
 
 
-def test_a_dish_that_tells_less_says_for_each_heading_that_no_command_is_known():
+def test_a_dish_that_tells_less_names_the_headings_for_which_no_command_is_known():
     async def look(app, pilot):
         await pilot.press("f4", "d")
         await settle(pilot)
         return stand_in.text_of(app)
 
     text = run(look, state={"dish": CARRYOUT_2003})
-    assert "Signal ─ no command for it is known on the Carryout of 2003" in text
+    assert "Not on the Carryout of 2003, as no command is known: Signal, Channel" in text
 
 
 def test_the_boot_log_is_what_the_station_heard_with_its_age():

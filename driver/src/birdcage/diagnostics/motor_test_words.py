@@ -20,8 +20,8 @@ def not_measured(dish: Facts) -> str:
     if dish.no_following:
         return f"{dish.no_following} Its motors can't be tested one by one. Nothing was sent."
     if dish.readback is not Readback.ALWAYS:
-        when = "only while it moves, and never at rest" if dish.readback is Readback.MOVING else "never"
-        return f"The {dish.name} tells {when} where it is, so its speed can't be measured. Nothing was sent."
+        tells = "tells where it is only on its way" if dish.readback is Readback.MOVING else "never tells where it is"
+        return f"The {dish.name} {tells}, so its speed can't be measured. Nothing was sent."
     if dish.slew is not None:
         return (
             f"The {dish.name} moves in silence: any byte would stop it. Its speed can't be measured. Nothing was sent."

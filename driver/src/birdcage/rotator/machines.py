@@ -41,6 +41,12 @@ def names_in(group: str) -> tuple[str, ...]:
     return tuple(name for name, (of, _target) in _found().items() if of == group)
 
 
+def kin_of(name: str) -> tuple[str, ...]:
+    """Return the machines that have a console of the same make, itself included; a machine of its own has no kin."""
+    consoles = names_in(DIALECTS)
+    return consoles if name in consoles else (name,)
+
+
 def class_of(name: str) -> Any:  # noqa: ANN401 - a `FirmwareProtocol` or a `Rotator`
     """Return the class of a machine. Raises KeyError, naming those that exist, for any other."""
     if name not in _found():

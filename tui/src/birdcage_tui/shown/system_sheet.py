@@ -111,9 +111,9 @@ def features_on(dish: Facts | None, page: FeaturePage) -> list[Feature]:
 
 @lru_cache(maxsize=16)
 def absent_groups(firmware: str, page: FeaturePage) -> tuple[str, ...]:
-    """Return the headings that other kinds of dish have on a tab, and this one has not."""
+    """Return the headings that its kin have on a tab, and this one has not."""
     own = {each.group for each in features_on(machines.facts_of(firmware), page)}
-    others = (each.group for name in machines.names() for each in features_on(machines.facts_of(name), page))
+    others = (each.group for name in machines.kin_of(firmware) for each in features_on(machines.facts_of(name), page))
     return tuple(dict.fromkeys(group for group in others if group and group not in own))
 
 

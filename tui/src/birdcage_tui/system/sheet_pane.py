@@ -190,9 +190,8 @@ def rest_lines(view: View, page: FeaturePage, width: int) -> list[str]:
     dish = view.state.dish
     if dish is None:
         return []
-    absent = [
-        f"{group} ─ no command for it is known on the {dish.name}" for group in absent_groups(dish.firmware, page)
-    ]
+    groups = ", ".join(absent_groups(dish.firmware, page))
+    absent = [f"Not on the {dish.name}, as no command is known: {groups}"] if groups else []
     measured = measured_lines(view) if page is FeaturePage.MOTORS else []
     lines = list[str]()
     for part in (measured, absent, [dish.console_only.get(page.value, "")]):
