@@ -96,6 +96,15 @@ def both_moving(dishes, ptys, then):
     return look
 
 
+@pytest.fixture
+def _hears_sigint():
+    """A run in the background ignores SIGINT, and so would what it starts."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+@pytest.mark.usefixtures("_hears_sigint")
 def test_one_signal_stops_both_dishes(pty_dish, second_dish, second_file, capsys):
     first = wanted(pty_dish.path)
     second, ptys = also_wanted(first, str(second_file)), (pty_dish, second_dish)

@@ -102,7 +102,8 @@ def test_ctrl_c_in_a_move_stops_it_and_exits_130(pty_travler, start) -> None:
 def test_another_dish_than_was_named_is_told_in_a_sentence_and_not_moved(travler, pty_dish, words) -> None:
     result = travler(*words, "--baud", 115200, port=pty_dish.path)
     assert result.exit_code == 2, result.stderr
-    assert "Give --firmware g2 if it is a Carryout G2. Nothing was moved." in result.stderr
+    assert "a Carryout G2 is --firmware g2" in result.stderr
+    assert "Nothing was moved." in result.stderr
     assert pty_dish.moves() == []
 
 

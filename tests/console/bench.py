@@ -17,6 +17,7 @@ from birdcage.sim.wire import PASS, Byte
 from hypothesis import strategies as st
 
 D = 2.0
+HAL = HAL205Protocol.dialect
 DIALECT = ConsoleDialect(
     prompts={"root": "TRK>", "mot": "MOT>", "dvb": "DVB>", "nvs": "NVS>", "os": "OS>"},
     refusals=((re.compile(r"Invalid (command|parameter)"), "unknown_command"),),

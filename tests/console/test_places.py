@@ -66,7 +66,7 @@ def test_a_root_with_bytes_lost_is_never_a_submenu(places, lines, known):
 
 
 def test_a_prompt_tells_a_menu_only_when_the_root_shows_another(places):
-    places.at_root(">")
+    places.at_end("root", ">")
     places.entered("motor", ">")
     assert not places.is_told_by(">", "motor")
     places.entered("motor", "MOT>")

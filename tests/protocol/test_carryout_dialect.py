@@ -14,7 +14,7 @@ from birdcage.protocol.carryout.dialect import BAUD, DIALECT, NVS, TARGET
 from birdcage.protocol.carryout.going import GotoAnswer, ceiling_of, go_line, judge_go, refusal_of
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.records import LiveRecord, RecordReader
-from birdcage.protocol.hal.dialect import DIALECT as TRAVLER
+from birdcage.protocol.hal.dialect import DIALECT_205 as TRAVLER
 from birdcage.rotator.verdict import Grade
 from birdcage.sim.port import SimPort, open_device
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import signal
 from collections.abc import Iterable
 from dataclasses import dataclass
+from importlib import import_module
 
 import pytest
 from birdcage.base import clock as clocks
@@ -68,6 +69,7 @@ class Terminal:
         self._arrange(patch)
 
     def _arrange(self, patch: pytest.MonkeyPatch) -> None:
+        import_module("birdcage.station.attached")  # makes a class of RealClock, which is none any more below
         registered = opening._registered
         patch.setattr(opening, "_registered", lambda: registered() | {"standin": Scheme(self.dish)})
         for module in (clocks, dishes):
@@ -87,7 +89,7 @@ class Terminal:
     def _next(self, look):
         """Let a slice of time pass where a command would wait for one."""
 
-        def step(dish, hear=None):
+        def step(dish, hear=None, wait_s=None):
             if self.clock.monotonic() >= self._ends_at:
                 raise TimeoutError("the command hangs")
             if self._interrupts and self.dish.moves():
@@ -101,7 +103,7 @@ class Terminal:
                     if due <= self.clock.monotonic():
                         self._desks[desk] = self.clock.monotonic() + desk.step()
                 dish._events.put(Tick())
-            look(dish, hear)
+            return look(dish, hear, *(() if wait_s is None else (wait_s,)))
 
         return step
 

@@ -16,11 +16,13 @@ import setup_stand_in
 import sky_stand_in
 import stand_in
 import track_stand_in
+from birdcage.base.errors import ConfirmationNeeded
 from birdcage.base.presets import Preset, add_preset
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.feature import FeaturePage
 from birdcage.skymap.map_file import read_map
+from birdcage.station.requests import Sync
 from birdcage_tui.commands import PAGES
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.map_book import MapRead
@@ -70,6 +72,11 @@ FORM = f"{STEPS} AnswerForm/ChoiceButton AnswerForm/Input"
 BUTTONS = f"{STEPS} AnswerForm/ChoiceButton"
 LOG, TYPED, FOUND = (f"ConsoleOverlay/{kind}" for kind in ("LogView", "ConsoleInput", "FindInput"))
 FIELDS = {"dialog": "FieldsScreen", "holds": "FieldsScreen/HintedInput FieldsScreen/CancelButton"}
+UNTOLD = {
+    "dish": replace(CARRYOUT_G2, homing_s=None, never_homes=True, zero_at_power_up=(CARRYOUT_G2.azimuth.name,)),
+    "homed": False,
+}
+"""A rotator that has to be told where it points."""
 FORMS = {"feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""
@@ -133,6 +140,8 @@ PLACES = (
     _dialog("add elements", "Questions.elements", "I", dialog="FieldsScreen",
             holds="FieldsScreen/PasteInput FieldsScreen/CancelButton"),
     _dialog("set the location", "Questions.place", "L", **FIELDS),
+    _dialog("sync", "SyncQuestion.ask", "Y", **FIELDS, state=UNTOLD),
+    _dialog("sync, believed otherwise", "SyncQuestion._confirm", "Y", "2", "enter", state=UNTOLD),
     _dialog("end the search", "Questions._confirm", "K", state={"dish": TRAVLER}),
     _dialog("own limits", "Questions._confirm", "enter", state={"motion_refused_because": "line 7: not a number."}),
     _dialog("engage", "ControlPage._question", "f2", "E"),
@@ -231,6 +240,8 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             return BirdcageApp.push_screen(app, *args, **options)
 
         app.push_screen = push_screen
+        if place.asked_by == "SyncQuestion._confirm":
+            doubt_sync(app.station)
         async with app.run_test(size=size or place.size) as pilot:
             await settle(app, pilot)
             if place.keys[:1] == ("f4",):
@@ -239,6 +250,19 @@ def at(place, folder, test, *, state="slewing", size=None, **settings):
             return await test(app, pilot, asked[-1] if asked else "")
 
     return asyncio.run(body())
+
+
+def doubt_sync(station):
+    """Have the station believe that the dish points elsewhere than it is told."""
+    submit = station.submit
+
+    def doubted(request):
+        future = submit(request)
+        if isinstance(request, Sync) and not request.agreed:
+            future.set_exception(ConfirmationNeeded("It points elsewhere by its own word. Change it?"))
+        return future
+
+    station.submit = doubted
 
 
 def fill_system(app):

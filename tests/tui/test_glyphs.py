@@ -147,6 +147,7 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
 
         def __init__(self, session, settings, *_):
             self.session = session
+            self.dishes = SimpleNamespace(end=lambda *_: session.close(), crash=None)
             made.append(settings)
 
         def run(self):

@@ -15,7 +15,8 @@ from test_end_to_end import House, played, press, type_direction
 @pytest.fixture(params=["g2", "hal205"])
 def house(request):
     house = House(f"{request.param}?seed=1")
-    house.app.horizon = house.app.feeds.horizon = HorizonBook(File(HorizonMask()))
+    book = HorizonBook(File(HorizonMask()))
+    house.app.horizon = house.app.feeds.horizon = house.app.dishes.shown.horizon = book
     return house
 
 

@@ -17,7 +17,7 @@ import stand_in
 import track_stand_in
 from birdcage.base.presets import Preset, add_preset
 from birdcage.station.raw import CONSOLE
-from places import PLACES, backups_in, fill_system, open_map, press, recordings_in, settle
+from places import PLACES, backups_in, doubt_sync, fill_system, open_map, press, recordings_in, settle
 from said import Said
 
 SMALL, LARGE = (80, 24), (160, 48)
@@ -89,6 +89,8 @@ def test_in_every_place(size, said, tmp_path):
                 await settle(app, pilot)
                 if place.keys[:1] == ("f4",):
                     fill_system(app)
+                if place.asked_by == "SyncQuestion._confirm":
+                    doubt_sync(app.station)
                 await press(app, pilot, *place.keys)
                 assert not place.dialog or type(app.screen).__name__ == place.dialog, place.name
                 said.read(app)
