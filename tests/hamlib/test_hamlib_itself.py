@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import shutil
 import socket
-import subprocess
 import time
 from contextlib import closing, contextmanager
 from datetime import timedelta
@@ -26,8 +24,8 @@ from birdcage.station.settings import StationSettings
 from birdcage.station.state import Activity, LinkPhase
 from birdcage.station.station import Station
 from birdcage.testing.passing import PLACE
+from hamlib_program import free_port, start_hamlib
 
-STARTS_S = 10.0
 SPEEDS = {"azimuth.speed_deg_s": 6.0, "elevation.speed_deg_s": 6.0}
 """Of the dummy, as an owner says it in [dish.facts]."""
 
@@ -36,27 +34,12 @@ class Daemon:
     """`rotctld -m 1`, always on the same port."""
 
     def __init__(self):
-        self.program = shutil.which("rotctld")
-        if self.program is None:
-            pytest.skip("Hamlib's rotctld is not installed (libhamlib-utils)")
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            self.port = free.getsockname()[1]
+        self.port, self.process = free_port(), None
         self.url = f"rotctl://127.0.0.1:{self.port}"
-        self.process = None
 
     def start(self):
-        self.process = subprocess.Popen(
-            [self.program, "-m", "1", "-T", "127.0.0.1", "-t", str(self.port)],
-            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        )  # fmt: skip
-        until = time.monotonic() + STARTS_S
-        while True:
-            try:
-                socket.create_connection(("127.0.0.1", self.port), 1.0).close()
-                return
-            except OSError:
-                assert time.monotonic() < until, "rotctld does not listen"
-                time.sleep(0.02)
+        self.process, first = start_hamlib("rotctld", self.port)
+        first.close()
 
     def kill(self):
         if self.process is not None:

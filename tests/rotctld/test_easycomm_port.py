@@ -5,56 +5,32 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import time
 
 import pytest
 
 pytest.importorskip("termios", reason="a pseudo terminal is needed")
-from birdcage.base.clock import RealClock
-from birdcage.base.config import load
 from birdcage.base.errors import ConfigError
-from birdcage.base.paths import Paths
 from birdcage.rotctld.easycomm_port import EasycommPort
 from birdcage.rotctld.easycomm_service import EasycommService
 from birdcage.rotctld.options import RotctldOptions
-from birdcage.station.build import open_session
 from birdcage.station.requests import Goto
+
+from .real_dish import RealDish
 
 needs_rotctl = pytest.mark.skipif(shutil.which("rotctl") is None, reason="Hamlib's rotctl is not installed")
 MODELS = ("202", "204")
 
 
-class Served:
+class Served(RealDish):
     """A simulated G2 behind a serial port."""
 
     def __init__(self, link=None, **options):
-        self.session = open_session(
-            port="sim:g2?seed=1", firmware="g2", baud=None, settings=load(None), paths=Paths.default(),
-            clock=RealClock(), survey=False,
-        )  # fmt: skip
-        self.session.start()
+        super().__init__()
         self.port, self.told = EasycommPort(link), []
         options = RotctldOptions(park=(180.0, 40.0), **options)
         self.service = EasycommService(self.session.station, self.port, options, self.told.append)
         self.service.start()
         self.wait_for(lambda state: state.position is not None)
-
-    @property
-    def state(self):
-        return self.session.station.state
-
-    def wait_for(self, good, within_s=30.0):
-        end = time.monotonic() + within_s
-        while not good(self.state):
-            assert time.monotonic() < end, self.state
-            time.sleep(0.02)
-
-    def wait_at(self, az_deg, el_deg):
-        def there(state):
-            here = state.position
-            return state.motion is None and (here.az_deg, here.el_deg) == pytest.approx((az_deg, el_deg), abs=0.1)
-
-        self.wait_for(there)
 
     def close(self):
         self.service.shutdown()
@@ -114,7 +90,7 @@ def test_rotctl_parks_and_homes_nothing(served):
     assert rotctl(served, "204", "K")[0] == 0
     served.wait_at(180.0, 40.0)
     assert rotctl(served, "204", "R", "1")[0] == 0
-    time.sleep(0.3)
+    assert rotctl(served, "204", "p")[0] == 0, "what came before it is done"
     assert served.state.motion is None
     served.wait_at(180.0, 40.0)
 

@@ -5,18 +5,16 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
-import time
 
 import pytest
-from birdcage.base.clock import RealClock
-from birdcage.base.config import RotctldSettings, load
-from birdcage.base.paths import Paths
+from birdcage.base.config import RotctldSettings
 from birdcage.rotctld.listening import listen
 from birdcage.rotctld.options import RotctldOptions
 from birdcage.rotctld.server import RotctldService
-from birdcage.station.build import open_session
 from birdcage.station.requests import Goto
 from birdcage.station.state import Activity
+
+from .real_dish import RealDish
 
 pytestmark = pytest.mark.skipif(shutil.which("rotctl") is None, reason="Hamlib's rotctl is not installed")
 
@@ -45,38 +43,16 @@ did(rot.close())
 """
 
 
-class Served:
+class Served(RealDish):
     """A simulated G2 behind a server."""
 
     def __init__(self):
-        self.session = open_session(
-            port="sim:g2?seed=1", firmware="g2", baud=None, settings=load(None), paths=Paths.default(),
-            clock=RealClock(), survey=False,
-        )  # fmt: skip
-        self.session.start()
+        super().__init__()
         self.service = RotctldService(
             self.session.station, listen("127.0.0.1", 0), RotctldSettings(), RotctldOptions(park=(180.0, 40.0))
         )
         self.service.start()
         self.wait_for(lambda state: state.position is not None)
-
-    @property
-    def state(self):
-        return self.session.station.state
-
-    def wait_for(self, good, within_s=30.0):
-        end = time.monotonic() + within_s
-        while not good(self.state):
-            assert time.monotonic() < end, self.state
-            time.sleep(0.02)
-
-    def wait_at(self, az_deg, el_deg):
-        self.wait_for(
-            lambda state: (
-                state.activity is Activity.IDLE
-                and (state.position.az_deg, state.position.el_deg) == pytest.approx((az_deg, el_deg), abs=0.1)
-            )
-        )
 
     def rotctl(self, *words, typed=None):
         """Run one command, or what is typed at its prompt; return what it prints."""

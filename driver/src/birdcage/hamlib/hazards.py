@@ -49,7 +49,7 @@ HAZARDS = HazardTable(
         _row(r"(w|\\send_cmd) .*", Grade.MOVES,
              f"Hands the line to the rotator's controller as it is: what that does is its own affair. {_UNGUARDED}",
              forgets=_ANYTHING, takes_s=2.0),
-        _row(r"\\pause .*", Grade.SETTING, "Keeps the server from answering anybody, STOP included, for so long.",
+        _row(r"\\pause .*", Grade.SETTING, "The server answers nothing for that long, STOP included.",
              takes_s=2.0),
         _row("q|\\\\quit", Grade.SETTING, "Ends this connection. birdcage connects anew.", forgets=_WHERE),
     ),

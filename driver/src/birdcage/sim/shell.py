@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass
@@ -59,37 +60,24 @@ class Menu(Protocol):
         """Carry out one line, never empty. An unknown command answers with its error text."""
 
 
-class ConsoleShell:
-    """Buffers input while a command runs, echoes when it reads, and has no backspace.
+class ScriptShell(ABC):
+    """Reads the wire into lines, and runs one script at a time; input waits meanwhile. What a line is, a subclass says.
 
-    Source: docs/reference/consoles.md, *Shell*.
+    Times are seconds of dish time (`Machine.dish_s`).
     """
 
-    def __init__(
-        self,
-        machine: Machine,
-        settings: SimSettings,
-        menus: Mapping[str, Menu],
-        send: Callable[[bytes], None],
-        echo: Callable[[bytes], None],
-    ) -> None:
+    def __init__(self, machine: Machine, settings: SimSettings, send: Callable[[bytes], None]) -> None:
         self.menu = "root"
         self.alive = True
         self.hears: Callable[[bytes], bytes] = bytes
         """What gets through of what comes off the wire: a firmware that falls asleep puts its own here."""
         self.received: deque[tuple[float, str]] = deque(maxlen=LONGEST_MEMORY)
-        self._machine = machine
-        self._settings = settings
-        self._menus = menus
-        self._send = send
-        self._echo = echo if settings.echo else _nothing
+        self._machine, self._settings, self._send = machine, settings, send
         self._rng = seeded("shell", settings.seed)
-        self._input = bytearray()
-        self._line = bytearray()
-        self._after_cr = False
+        self._input, self._line = bytearray(), bytearray()
         self._script: Script | None = None
-        self._listening: Listen | None = None
         self._run = 0
+        """Counts resets: what was to happen before one does not happen after it."""
 
     def feed(self, data: bytes) -> None:
         """Take bytes off the wire."""
@@ -110,11 +98,48 @@ class ConsoleShell:
         """Lose everything, as in a reboot; `alive` False leaves the shell dead."""
         self._input.clear()
         self._line.clear()
-        self._after_cr = False
-        self._script, self._listening = None, None
+        self._script = None
         self._run += 1
         self.menu = "root"
         self.alive = alive
+
+    @abstractmethod
+    def _read(self) -> None:
+        """Begin what stands in the input, unless a script runs."""
+
+    @abstractmethod
+    def _advance(self) -> None:
+        """Run the script up to its next pause."""
+
+    def _latency(self) -> Pause:
+        """Return how long the shell takes to answer this time."""
+        return Pause(self._rng.uniform(self._settings.latency_min, self._settings.latency_max))
+
+
+class ConsoleShell(ScriptShell):
+    """Buffers input while a command runs, echoes when it reads, and has no backspace.
+
+    Source: docs/reference/consoles.md, *Shell*.
+    """
+
+    def __init__(
+        self,
+        machine: Machine,
+        settings: SimSettings,
+        menus: Mapping[str, Menu],
+        send: Callable[[bytes], None],
+        echo: Callable[[bytes], None],
+    ) -> None:
+        super().__init__(machine, settings, send)
+        self._menus = menus
+        self._echo = echo if settings.echo else _nothing
+        self._after_cr = False
+        self._listening: Listen | None = None
+
+    def reset(self, *, alive: bool = True) -> None:
+        """Lose everything, as in a reboot; `alive` False leaves the shell dead."""
+        super().reset(alive=alive)
+        self._after_cr, self._listening = False, None
 
     def _read(self) -> None:
         if self._listening and self._input[:1] == b"\n" and self._after_cr and self._settings.lf_after_cr == "ignore":
@@ -152,7 +177,7 @@ class ConsoleShell:
         self._advance()
 
     def _command(self, words: list[str]) -> Script:
-        yield Pause(self._rng.uniform(self._settings.latency_min, self._settings.latency_max))
+        yield self._latency()
         if words:
             yield from self._menus[self.menu].run(words)
 

@@ -81,7 +81,7 @@ class OneDish:
         self.feeds.presets.load()
         self.feeds.signals.begin()
         self._unsubscribe = self.station.subscribe(lambda event: self._host.tell_event(self, event))
-        if not self.session.via:  # else another program would have to pass it on, before anybody looks
+        if not self.session.via:  # else another program would have to pass all of it on
             self.tap.begin()
         self.session.start()
         self.feeds.begin(self.settings.place)

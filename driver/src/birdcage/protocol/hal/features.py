@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _WHAT = {"floor": "", "floor.search": " of its TV search"}
 _PAGES = 20
-"""How many lines a listing page by page may take: more than anybody watches."""
+"""The most lines that a listing page by page takes."""
 
 
 def _angle(name: str, index: int) -> Callable[[HalProtocol], dict[str, Value]]:
