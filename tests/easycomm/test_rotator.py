@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, MotionRefused, PositionUnknown
+from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, Held, MotionRefused, PositionUnknown
 from birdcage.easycomm.facts import FACTS, RP2040_FACTS, STOCK_FACTS
 from birdcage.rotator.verdict import Grade
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Raw, Read, Release, Set, Sync
@@ -250,7 +250,8 @@ def test_a_zero_that_a_person_types_has_to_be_told_anew_too():
         ("TICKS", Grade.HARMLESS), ("AZ", Grade.MOVES), ("AZ100.0 EL20.0", Grade.MOVES), ("EL20", Grade.MOVES),
         ("DUTY_AZ0.3", Grade.MOVES), ("ZERO", Grade.MOVES), ("PARK", Grade.MOVES), ("VU500", Grade.MOVES),
         ("RESET", Grade.RUINS), ("RST", Grade.RUINS), ("KP0.3", Grade.SETTING), ("MONITOR", Grade.SETTING),
-        ("CW1,0.5", Grade.SETTING), ("FOO", Grade.SETTING),
+        ("CW1,0.5", Grade.SETTING), ("FOO", Grade.MOVES), ("VE AZ90", Grade.MOVES), ("GS PARK", Grade.MOVES),
+        ("KP0.2 DUTY_AZ0.3", Grade.MOVES), ("CW1,0.5 PARK", Grade.MOVES), ("MON DUTY_EL1", Grade.MOVES),
     ],
 )  # fmt: skip
 def test_a_raw_line_is_judged_by_what_it_does(line, grade):
@@ -258,6 +259,18 @@ def test_a_raw_line_is_judged_by_what_it_does(line, grade):
         verdict = stage.station.judge(line)
         assert verdict.grade is grade
         assert bool(verdict.consequence) is (grade is not Grade.HARMLESS)
+
+
+def test_no_second_command_on_a_line_gets_past_a_latched_stop():
+    with met(RP2040) as stage:
+        stage.station.stop("you")
+        stage.step(5.0)
+        for line in ("VE AZ90", "GS PARK", "KP0.2 DUTY_AZ0.3", "TICKS EL80", "HELLO DUTY_EL1"):
+            refusal = stage.refused(Raw(line, "you", Grade.RUINS), Held)
+            assert line in str(refusal)
+            assert line not in lines(stage)
+        stage.do(Raw("KP0.2", "you", Grade.SETTING), 60.0)
+        assert "KP0.2" in lines(stage), "what only sets a gain moves nothing by itself"
 
 
 def test_a_raw_target_beyond_the_limits_is_told_as_such():

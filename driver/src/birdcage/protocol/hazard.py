@@ -87,12 +87,14 @@ class HazardTable:
     rows: tuple[Hazard, ...] = ()
     unlisted: Mapping[str, str] = field(default_factory=dict)
     """What is to be said of a line that no row knows, by menu; `""` for any other menu."""
+    unlisted_grade: Grade = Grade.SETTING
+    """What such a line counts as at least: a motion where the machine takes several commands on one line."""
 
     def judge(self, line: str, menu: str | None, *, homed: bool | None) -> tuple[Verdict, re.Match[str] | None]:
         """Return the gravest of what the rows say of `line`, and how that row matched it.
 
-        `menu` None is not known: then the row of any menu counts. What no row knows counts as changing a setting, or
-        as worse if it would do worse in another menu, written out in full, or taken as several commands.
+        `menu` None is not known: then the row of any menu counts. What no row knows counts as `unlisted_grade`, or as
+        worse if it would do worse in another menu, written out in full, or taken as several commands.
         """
         text = " ".join(line.lower().split())
         found = self._gravest(text, menu, homed)
@@ -120,14 +122,14 @@ class HazardTable:
 
     def _unlisted(self, text: str, menu: str | None, homed: bool | None) -> Verdict:
         said = self.unlisted.get(menu or "", self.unlisted.get("", ""))
-        worst = Verdict(Grade.SETTING, said, UNLISTED_FORGETS, listed=False)
+        worst = Verdict(self.unlisted_grade, said, UNLISTED_FORGETS, listed=False)
         suspects = (
             ("The menu may have changed meanwhile. Elsewhere:", self._row_verdict(text, None, homed)),
             ("It may be taken as an abbreviation.", self._abbreviated(text, menu, homed)),
             ("It may be taken as several commands.", self._worse_part(text, menu, homed)),
         )
         for why, verdict in suspects:
-            if verdict is not None and verdict.grade > max(worst.grade, Grade.SETTING):
+            if verdict is not None and verdict.grade > worst.grade:
                 worst = replace(
                     verdict, consequence=f"{why} {verdict.consequence}", forgets=verdict.forgets | UNLISTED_FORGETS,
                     streams=False, homes=(), listed=False,

@@ -12,7 +12,7 @@ class Grade(IntEnum):
 
     HARMLESS = 0
     SETTING = 1
-    """Changes a setting. What is in no table counts as this."""
+    """Changes a setting. What is in no table counts as this, or as worse."""
     MOVES = 2
     RUINS = 3
     """Can ruin the dish or deadlock its shell."""
