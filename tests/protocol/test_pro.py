@@ -190,6 +190,13 @@ def test_it_is_refused_as_an_older_trav_ler_while_its_tunnel_is_closed():
     ("odu", "mot", Grade.HARMLESS, ""), ("mot", "q", Grade.HARMLESS, ""), ("odu", "stow", Grade.RUINS, "crushed"),
     ("mot", "a 1 76", Grade.RUINS, "lock up"), ("mot", "a 1 75.01", Grade.RUINS, "lock up"),
     ("mot", "g 10 80 90", Grade.RUINS, "lock up"), ("mot", "a 1 74.9", Grade.MOVES, "Nothing can cancel it"),
+    ("mot", "a 1 76.", Grade.RUINS, "lock up"), ("mot", "a 1 +76", Grade.RUINS, "lock up"),
+    ("mot", "a 1 8e1", Grade.RUINS, "lock up"), ("mot", "a 01 80", Grade.RUINS, "lock up"),
+    ("mot", "a 1 76x", Grade.RUINS, "lock up"), ("mot", "a 1x 76", Grade.RUINS, "lock up"),
+    ("mot", "g 180 +80 0", Grade.RUINS, "lock up"), ("mot", "g 180 80", Grade.RUINS, "lock up"),
+    (None, "a 1 80", Grade.RUINS, "lock up"), ("mot", "a; a 1 80", Grade.RUINS, "lock up"),
+    ("mot", "a 1 75", Grade.MOVES, "Nothing can cancel it"), ("mot", "a 1 75.0", Grade.MOVES, "Nothing can cancel it"),
+    ("mot", "g 80 75.0 90", Grade.MOVES, "any key ends it"), ("mot", "a 2 100", Grade.MOVES, "feed"),
     ("mot", "a 0 190", Grade.MOVES, "Nothing can cancel it"), ("os", "kill Search", Grade.SETTING, "next power-up"),
     ("root", "mot", Grade.SETTING, "Undocumented"), (None, "q", Grade.RUINS, "power cycle"),
 ])  # fmt: skip
@@ -197,6 +204,23 @@ def test_what_its_lines_do(menu, line, grade, words):
     verdict = Judged(TravlerProProtocol(), Position(180.0, 45.0, 90.0)).judge(line, menu, homed=True)
     assert verdict.grade is grade
     assert words in verdict.consequence
+
+
+def test_how_far_beyond_its_lid_a_line_goes_is_told_and_a_sign_is_no_step():
+    dish = Judged(TravlerProProtocol(), Position(180.0, 45.0, 90.0))
+    for line in ("a 1 +76", "g 180 7.6e1", "a 01 76."):
+        verdict = dish.judge(line, "mot", homed=True)
+        assert "76.00° is 1.00° above the limit of 75.00°" in verdict.limit, line
+    assert not dish.judge("a 1 75.0", "mot", homed=True).limit
+
+
+@pytest.mark.parametrize(("row", "floor"), [("0", None), ("12", None), ("12.5", 12.5), ("20", 20.0), ("75", None)])
+def test_a_row_that_one_readme_names_may_raise_the_floor_and_not_lower_it(row, floor):
+    rig = Rig()
+    rig.dish.console.run("nvs", f"e 125 {row}")
+    told = rig.dish.survey()
+    assert told.el_min_deg == floor
+    assert told.features["floor"] == float(row), "what the dish shows is shown"
 
 
 def test_every_documented_command_is_listed():

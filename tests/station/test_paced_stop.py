@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from birdcage.station.requests import Goto
-from birdcage.station.state import Activity, LinkPhase
+from birdcage.station.state import Activity, LinkPhase, TvSearch
+from birdcage.station.stop_words import stop_line
 
 from .conftest import Bench
 
@@ -36,3 +39,34 @@ def test_however_soon_it_follows_the_move_the_dish_comes_to_rest(bench, wait_s, 
     report = bench.state.last_stop
     assert (report.means, report.confirmed) == ("abort", gap_s == "0.15"), "faster than the dish, no reading comes"
     assert bench.state.activity is Activity.IDLE
+
+
+def test_what_was_written_of_its_kin_alone_is_not_promised(bench):
+    bench.station.submit(Goto(330, 60, "you"))
+    while bench.state.motion is None or not bench.device.truth().moving:
+        bench.step(0.1)
+    assert stop_line(bench.state, bench.clock.monotonic()).startswith("STOP should take")
+    bench.station.stop("you")
+    bench.step(0.05)
+    assert bench.state.last_stop.sentence.startswith("A byte that should end the slew was sent.")
+
+
+def test_nor_is_it_that_its_tv_search_ends():
+    bench = Bench("pro?seed=1&search_finds=0&boot_home_s=20", {}, firmware="pro")
+    bench.connect(40.0)
+    bench.watch("position", rate_hz=1.0)
+    bench.device.reboot()
+    for _ in range(4000):
+        bench.step(0.1)
+        if bench.device.truth().moving and bench.state.activity is Activity.MOVING_UNASKED:
+            break
+    state = replace(bench.state, held=None, search=TvSearch.RUNNING)
+    assert stop_line(state, bench.clock.monotonic()).startswith("STOP may not hold the dish.")
+    bench.station.stop("you")
+    bench.step(0.05)
+    assert bench.state.last_stop.sentence.startswith(
+        "A bare Enter was sent, and the line that may end a TV search follows."
+    )
+    bench.step(20.0)
+    assert "whether it did is not known" in bench.state.last_stop.sentence
+    assert not bench.device.truth().moving

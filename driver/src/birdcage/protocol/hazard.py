@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
+from birdcage.protocol.raw_aim import rises_above
 from birdcage.rotator.verdict import Grade, Verdict
 
 
@@ -33,6 +34,17 @@ class Hazard:
     releases: bool = False
     loose: bool = False
     """Whether it speaks of what might be left of any line, not of a command: only in the menu that the dish is in."""
+
+    above_deg: float | None = None
+    """It speaks only of what sends the elevation `el` higher than this, or where nobody can tell; None: of every line.
+
+    The group `motor`, where there is one, says which axis it is of.
+    """
+
+    def match(self, text: str) -> re.Match[str] | None:
+        """Return how it matches a line that it speaks of; None where it does not."""
+        match = self.pattern.fullmatch(text)
+        return match if match is None or self.above_deg is None or rises_above(match, self.above_deg) else None
 
     def verdict(self) -> Verdict:
         """Return what this row says of a line that it speaks of."""
@@ -116,7 +128,7 @@ class HazardTable:
                 continue
             if row.loose and elsewhere:
                 continue
-            if match := row.pattern.fullmatch(text):
+            if match := row.match(text):
                 found.append((row.grade, -order, (row, match)))
         return max(found, key=lambda each: each[:2])[2] if found else None
 

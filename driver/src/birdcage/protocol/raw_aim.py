@@ -28,6 +28,18 @@ def aimed(verdict: Verdict, match: re.Match[str] | None) -> Verdict:
     return replace(verdict, aim=RawAim(angles)) if angles else verdict
 
 
+def rises_above(match: re.Match[str], limit_deg: float) -> bool:
+    """Return whether a line may send the elevation, its group `el`, higher: also where it can't be read as an angle.
+
+    The group `motor`, where there is one, is the axis that it moves.
+    """
+    motor = match.groupdict().get("motor")
+    if motor is not None and math.isfinite(_number(motor)) and _number(motor) != MOTOR_ELEVATION:
+        return False
+    angle = _number(match["el"])
+    return not math.isfinite(angle) or angle > limit_deg
+
+
 def _number(text: str) -> float:
     """Return the angle; NaN for what is none."""
     try:

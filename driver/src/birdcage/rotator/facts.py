@@ -10,7 +10,7 @@ from functools import cached_property
 from birdcage.base.beam import Reflector
 from birdcage.rotator.axis import Axis, CableRange, Role
 from birdcage.rotator.feature import RSSI, Feature, speed_of
-from birdcage.rotator.ladder import MoveKind, Rung
+from birdcage.rotator.ladder import MoveKind, Rung, StopMeans
 from birdcage.rotator.mapping import SkyMapping, mapped_axes
 from birdcage.rotator.origin import Origin
 from birdcage.rotator.own_settings import SettingKnown
@@ -278,6 +278,12 @@ class Facts:
     def homing_stoppable(self) -> bool:
         """Whether STOP is known to end its homing; else only a person at its switch does."""
         return any(MoveKind.HOME in rung.ends and rung.ends_what_it_is_busy_with for rung in self.stop_ladder)
+
+    @property
+    def ends_search(self) -> bool:
+        """Whether a source says of such machines that a program can end their TV search; else it may be tried."""
+        ends = (rung for rung in self.stop_ladder if MoveKind.SEARCH in rung.ends)
+        return any(rung.proven and rung.means is not StopMeans.POWER for rung in ends)
 
     def bits_s(self, bits: float) -> float:
         """Return how long so many bits take on its line; no time where it has none."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 
 from birdcage.rotator.facts import Facts
-from birdcage.rotator.ladder import MoveKind, Rung, StopMeans, rungs
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.state import Activity, LinkPhase, Motion, StationState, StopReport, TvSearch
 
 SHORT = 36
@@ -133,7 +133,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
             return ("STOP is sent; nothing confirms it",)
         case Activity.UNKNOWN if _acts(dish):
             return ("Motion unknown: STOP looks and acts",)
-        case Activity.MOVING_UNASKED if state.search is TvSearch.RUNNING and _rung(dish, MoveKind.SEARCH) is not None:
+        case Activity.MOVING_UNASKED if state.search is TvSearch.RUNNING and dish is not None and dish.ends_search:
             return ("STOP ends the TV search",)
         case Activity.STOWING | Activity.MOVING_UNASKED | Activity.UNKNOWN:
             return _unsure(dish, "STOP may not hold the dish.")
@@ -148,12 +148,6 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
 def _acts(dish: Facts | None) -> bool:
     """Return whether a STOP that sees the dish move has something to send."""
     return dish is not None and any(rung.means.is_sent for rung in dish.stop_ladder)
-
-
-def _rung(dish: Facts | None, kind: MoveKind) -> Rung | None:
-    """Return what a source says that a program can do to end such a motion."""
-    ladder = () if dish is None else rungs(dish.stop_ladder, kind, consent=False)
-    return next((rung for rung in ladder if rung.proven and rung.means is not StopMeans.POWER), None)
 
 
 def _stopping(dish: Facts | None, stopped: StopReport | None) -> tuple[str, ...]:

@@ -58,7 +58,7 @@ class Queue(MotionStrategy):
             return self.commanded()
         if motion is not None and motion.silent and self._abort is not None:
             if StopMeans.ABORT not in self.failed:
-                return StopAction(StopMeans.ABORT, "A byte that ends the slew was sent.", ENTER)
+                return StopAction(StopMeans.ABORT, f"A byte that {self._ends} the slew was sent.", ENTER)
             return StopAction(
                 StopMeans.WAIT,
                 f"A byte was sent, which did not end a slew before. It ends in {self._left_s(motion, clock):.1f} s; "
@@ -72,13 +72,13 @@ class Queue(MotionStrategy):
             )
         match unplanned:
             case Unplanned.SEEN:
-                return self._unplanned_ended("A bare Enter was sent, and the TV search is being ended.")
+                return self._unplanned_ended(f"A bare Enter was sent, and {self._search_ends}.")
             case Unplanned.UNKNOWN if self._abort is None:
                 return LOOK
             case Unplanned.UNKNOWN:
                 return StopAction(
                     StopMeans.LOOK,
-                    "A bare Enter was sent: it ends a combined move. Looking where the dish goes.", ENTER,
+                    f"A bare Enter was sent: it {self._ends} a combined move. Looking where the dish goes.", ENTER,
                 )  # fmt: skip
             case Unplanned.NONE:
                 return NOTHING_MOVED
@@ -86,6 +86,19 @@ class Queue(MotionStrategy):
     @property
     def _abort(self) -> Rung | None:
         return next((rung for rung in self._antenna.model.stop_ladder if rung.means is StopMeans.ABORT), None)
+
+    @property
+    def _ends(self) -> str:
+        """How sure it is that the byte ends a slew."""
+        rung = self._abort
+        sure = rung is not None and (rung.proven or self.proven is StopMeans.ABORT)
+        return "ends" if sure else "should end"
+
+    @property
+    def _search_ends(self) -> str:
+        """What becomes of a TV search, as sure as that is."""
+        sure = self._antenna.model.ends_search
+        return "the TV search is being ended" if sure else "the line that may end a TV search follows"
 
     def _unplanned_ended(self, search: str) -> StopAction:
         """Return what ends a motion that was seen; `search` is what is said of a machine that may search."""
@@ -96,7 +109,7 @@ class Queue(MotionStrategy):
             )  # fmt: skip
         if MoveKind.SEARCH in rung.ends:
             return StopAction(StopMeans.SEARCH, search, ENTER)
-        return StopAction(rung.means, "The dish was seen moving: a byte that ends a slew was sent.", ENTER)
+        return StopAction(rung.means, f"The dish was seen moving: a byte that {self._ends} a slew was sent.", ENTER)
 
     @staticmethod
     def _left_s(motion: DishMotion, clock: Clock) -> float:
@@ -106,7 +119,7 @@ class Queue(MotionStrategy):
         """End whatever it is."""
         if self.commands:
             return self.commanded()
-        return self._unplanned_ended("The dish was seen moving: a bare Enter was sent, and the TV search is ended.")
+        return self._unplanned_ended(f"The dish was seen moving: a bare Enter was sent, and {self._search_ends}.")
 
     def answered(self, means: StopMeans) -> None:
         """Take note of how the slew ended."""

@@ -50,13 +50,13 @@ def _of_tunnel(row: Row, variant: HalVariant) -> Iterator[Hazard]:
 
 
 def _too_high(row: Row, variant: HalVariant) -> Iterator[Hazard]:
-    if variant.home == "root":
+    if not variant.stalls_above:
         return
-    high = r"(7[5-9](\.\d+)?|[89]\d(\.\d+)?|\d{3,}(\.\d+)?)"
-    for line in (rf"a (?P<axis>1) (?P<angle>{high})", rf"g (?P<az>\S+) (?P<el>{high}) \S+"):
+    highest_deg = variant.el_deg[1]
+    for line in (r"a (?P<motor>\S+) (?P<el>.+)", r"g (?P<az>\S+) (?P<el>\S+)( .*)?"):
         yield row(variant.motor, line, Grade.RUINS,
-                  "Above 75° the elevation stalls, and the whole dish may lock up until a power cycle.",
-                  forgets=_WHERE, takes_s=30.0)  # fmt: skip
+                  f"Above {highest_deg:g}° the elevation stalls, and the whole dish may lock up until a power cycle.",
+                  forgets=_WHERE, takes_s=30.0, above_deg=highest_deg)  # fmt: skip
 
 
 def _of_home(row: Row, variant: HalVariant) -> Iterator[Hazard]:

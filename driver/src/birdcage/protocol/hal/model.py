@@ -51,6 +51,14 @@ HANDLING = Handling(
 )
 """From the papers of the SK-1000 and its owners (`docs/safety.md`)."""
 
+_ABORT = Rung(
+    means=StopMeans.ABORT,
+    ends=frozenset({MoveKind.COMBINED, MoveKind.SEARCH}),
+    proven=True,
+    sentence="any byte ends a combined move",
+    anywhere=True,
+)
+
 TRAVLER = Facts(
     name="Trav'ler",
     firmware="hal205",
@@ -65,13 +73,7 @@ TRAVLER = Facts(
     second_same=SecondMove.QUEUE,
     second_other=SecondMove.QUEUE,
     stop_ladder=(
-        Rung(
-            means=StopMeans.ABORT,
-            ends=frozenset({MoveKind.COMBINED, MoveKind.SEARCH}),
-            proven=True,
-            sentence="any byte ends a combined move",
-            anywhere=True,
-        ),
+        _ABORT,
         END_OF_MOVE,
         POWER_SWITCH,
     ),
@@ -131,7 +133,12 @@ TRAVLER_PRO = replace(
     name="Trav'ler Pro",
     firmware=PRO.firmware,
     any_baud=True,
-    axes=(TRAVLER.azimuth, replace(TRAVLER.elevation, min_deg=12.0, max_deg=75.0), SKEW),
+    stop_ladder=(
+        replace(_ABORT, proven=False, sentence="any byte, which ends a combined move of the other Trav'lers"),
+        END_OF_MOVE,
+        POWER_SWITCH,
+    ),
+    axes=(TRAVLER.azimuth, replace(TRAVLER.elevation, min_deg=PRO.el_deg[0], max_deg=PRO.el_deg[1]), SKEW),
     features=FEATURES_PRO.features,
     floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in PRO.lowest.values()),
     settings_known=KNOWN_PRO,

@@ -161,7 +161,8 @@ class HalProtocol(FirmwareProtocol):
                 raise
             return Survey()  # a dish without these rows, or without this menu: its model's limits hold
         lowest = rows[lowest_in["floor"]]
-        usable = lowest is not None and self.model.elevation.max_deg > float(lowest) > -90.0
+        least_deg = -90.0 if self.variant.row_may_lower else self.model.elevation.min_deg
+        usable = lowest is not None and self.model.elevation.max_deg > float(lowest) > least_deg
         return Survey(
             settings={row_id(index): value for index, value in rows.items() if value is not None},
             features={name: float(text) for name, index in lowest_in.items() if (text := rows[index]) is not None},

@@ -39,6 +39,12 @@ class HalVariant:
     """Commands that show another firmware, whatever stands beside them."""
     home: str = "root"
     """The menu that its menus lie in, `stow` and `reboot` with them. Not the root: a tunnel that nothing leaves."""
+    el_deg: tuple[float, float] = (15.0, 90.0)
+    """The lowest elevation that its own moves reach reliably, and the highest."""
+    stalls_above: bool = False
+    """Whether it stalls higher up, and may lock up."""
+    row_may_lower: bool = True
+    """Whether a source names the row of its floor, so that it counts also where it is lower than `el_deg`."""
     pages: bool = False
     """Whether `d` shows its settings page by page."""
     unlike: frozenset[str] = frozenset()
@@ -87,6 +93,9 @@ PRO = HalVariant(
     foreign=frozenset({"ngsearch", "a3981"}),
     home="odu",
     lowest={"floor": 125},
+    el_deg=(12.0, 75.0),
+    stalls_above=True,
+    row_may_lower=False,  # one example in one README; the same row of a Trav'ler is that of its search
     pages=True,
 )
 """The outdoor unit behind its tunnel; the indoor unit, which answers first, knows none of this."""
