@@ -56,3 +56,20 @@ def test_one_dish_needs_no_second_thread() -> None:
     every = EveryDish(1)
     every.do([lambda: done.append("north")])
     assert (done, every._thread) == (["north"], None)
+
+
+def test_a_deed_that_fails_beside_one_that_hangs_leaves_the_second_thread_for_the_next_time(every) -> None:
+    for _ in range(2):
+        failed, reached = threading.Event(), threading.Event()
+        waited: list[bool] = []
+
+        def fail(failed=failed) -> None:
+            failed.set()
+            raise OSError("unplugged")
+
+        def hang(failed=failed, reached=reached, waited=waited) -> None:
+            waited.append(failed.wait(5.0) and reached.wait(5.0))
+
+        with pytest.raises(OSError, match="unplugged"):
+            every.do([hang, fail, reached.set])
+        assert waited == [True], "the third dish was reached while the first one hung"

@@ -37,7 +37,7 @@ from birdcage.station.state import (
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shell.birdcage_app import BirdcageApp
 from birdcage_tui.shown.options import SitePlace
-from birdcage_tui.shown.view import SignalSample
+from birdcage_tui.shown.view import SignalSample, is_moving
 
 PROTOCOL = get_protocol("g2")
 PLACE = SitePlace(40.4, -95.0, "EN10")
@@ -93,10 +93,14 @@ class Station:
 class Session:
     def __init__(self, state, clock):
         self.clock, self.station = clock, Station(state)
-        self.started = self.closed = 0
+        self.started = self.closed = self.barred = 0
         self.wire = None
         self.crash = None
         self.via, self.detached = "", False
+
+    def bar(self):
+        self.barred += 1
+        return is_moving(self.station.state)
 
     def leave(self, by):
         self.station.stop(by, leaving=True)

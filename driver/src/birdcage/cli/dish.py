@@ -23,7 +23,7 @@ from birdcage.cli.station_command import CONFIRM_S, StationCommand
 from birdcage.cli.which import with_firmware
 from birdcage.station.control_client import owners_folder
 from birdcage.station.control_server import ControlServer
-from birdcage.station.every_dish import EveryDish
+from birdcage.station.every_dish import EveryDish, do_each
 from birdcage.station.holding import find_held
 from birdcage.station.inhibitor import SleepInhibitor
 from birdcage.station.known import list_firmwares
@@ -66,6 +66,10 @@ class DishSession(StationCommand):
             person = number == signal.SIGINT and self.station.bar()
             self.call_stop("Ctrl+C" if person else signal.Signals(number).name, leaving=not person)
         self.end_wait(number)
+
+    def bar(self) -> None:
+        """Let no line out that moves the dish from now on."""
+        self.station.bar()
 
     def call_stop(self, by: str, *, leaving: bool = False) -> None:
         """STOP: its bytes are out when this returns. `leaving`: the dish is not held for other programs."""
@@ -179,17 +183,16 @@ def open_dishes(
                 )
             raise
         except BaseException as crash:
-            if moves:
-                for dish in dishes:
-                    dish.call_stop("a fault of birdcage")
-            traceback.print_exception(crash)
-            _leave_all(dishes, begun, crash, wants)
+            stops = [partial(dish.call_stop, "a fault of birdcage") for dish in dishes if moves]
+            do_each([
+                *stops, partial(traceback.print_exception, crash), partial(_leave_all, dishes, begun, crash, wants)
+            ])  # fmt: skip
             for line in crash.__notes__:
                 say(line)
             raise click.exceptions.Exit(exits.CRASH) from crash
         else:
-            for dish in dishes:
-                dish.close()
+            _bar(dishes)
+            do_each([dish.close for dish in dishes])
 
 
 def _program() -> str:
@@ -206,17 +209,32 @@ def leave_dish(dish: StationCommand, begun: float, error: BaseException, wanted:
     _leave_all((dish,), (begun,), error, (wanted,))
 
 
+def _bar(dishes: Sequence[StationCommand]) -> None:
+    """Let nothing begin to move any more, in no dish, before the first is closed: that may take seconds."""
+    for dish in dishes:
+        if dish.moves and not dish.leave_moving:
+            dish.bar()
+
+
 def _leave_all(
     dishes: Sequence[StationCommand], begun: Sequence[float], error: BaseException, wants: Sequence[Wanted]
 ) -> None:
     """STOP whatever moves, all of it before the first is waited for; then close each."""
     error.__notes__ = []
-    for dish, since in zip(dishes, begun, strict=True):
+
+    def stop(dish: StationCommand, since: float) -> None:
         if dish.moves and dish.in_motion and not dish.stop_called and dish.stopped_since(since) is None:
             dish.call_stop("birdcage", leaving=True)
-    for dish, since, wanted in zip(dishes, begun, wants, strict=True):
+
+    def close(dish: StationCommand, since: float, wanted: Wanted) -> None:
         for note in _left(dish, since, error, wanted):
             error.add_note(note if len(dishes) == 1 else f"{dish.state.port or wanted.port}: {note}")
+
+    do_each([
+        *(partial(stop, dish, since) for dish, since in zip(dishes, begun, strict=True)),
+        partial(_bar, dishes),
+        *(partial(close, *each) for each in zip(dishes, begun, wants, strict=True)),
+    ])  # fmt: skip
 
 
 def _left(dish: StationCommand, begun: float, error: BaseException, wanted: Wanted) -> Iterator[str]:
@@ -287,8 +305,8 @@ def take_signals(stack: ExitStack, *dishes: StationCommand) -> SignalListener | 
         every.do([partial(dish.on_signal, number) for dish in dishes])
 
     def last() -> None:
-        # Without a word: it is a terminal that takes none which keeps the main thread.
-        every.do([dish.let_go for dish in dishes])
+        # Without a word: it is a terminal that takes none which keeps the main thread. Once each: STOP has gone out.
+        do_each([dish.let_go for dish in dishes])
 
     signals.tell(hear, last)
     signals.start()

@@ -75,6 +75,9 @@ class StationCommand(ABC):
     def call_stop(self, by: str, *, leaving: bool = False) -> None:
         """STOP: it is on its way when this returns. `leaving`: the dish is not held for other programs."""
 
+    def bar(self) -> None:  # noqa: B027 - the station of another program goes on
+        """Let nothing begin to move any more in a dish on a port of its own."""
+
     @abstractmethod
     def show_network(self, network: NetworkState | None) -> None:
         """Show a server for network clients, and who they are, in the station; None: it has ended. Any thread."""

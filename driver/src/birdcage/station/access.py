@@ -95,6 +95,12 @@ class FaceSession(Protocol):
         BirdcageError where the wire can't be heard.
         """
 
+    def bar(self) -> bool:
+        """Let nothing begin to move in a dish of the app's own from now on; return whether it may be moving.
+
+        Any thread; waits for nothing.
+        """
+
     def leave(self, by: str) -> None:
         """The app is about to end: STOP for a dish of its own, which then is not held for the programs that follow.
 

@@ -194,6 +194,10 @@ class AttachedSession:
         """Hear the wire of the station's program, and of each one after it."""
         return self.station.on_wire(listener)
 
+    def bar(self) -> bool:
+        """Bar nothing: the station goes on."""
+        return False
+
     def leave(self, by: str) -> None:
         """Stop nothing: the station goes on."""
 

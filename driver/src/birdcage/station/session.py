@@ -88,6 +88,10 @@ class Session:
         finally:
             self.station.shut()
 
+    def bar(self) -> bool:
+        """Let no line out that moves the dish from now on; return whether it may be moving. Any thread."""
+        return self.station.bar()
+
     def leave(self, by: str) -> None:
         """STOP for a face that is about to end. Any thread; waits for nothing."""
         self.station.stop(by, leaving=True)
@@ -97,7 +101,7 @@ class Session:
 
         `leave_moving` sends no STOP: for a person who asked for a motion that outlives the program.
         """
-        moving = not leave_moving and self.station.bar()
+        moving = not leave_moving and self.bar()
         if moving and self.crash is None:  # else STOP was called when it happened
             self.station.stop("quit", leaving=True)
             self._await_stop()

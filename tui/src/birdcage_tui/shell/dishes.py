@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 
 from birdcage.station.access import FaceSession
-from birdcage.station.every_dish import EveryDish
+from birdcage.station.every_dish import EveryDish, do_each
 
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.shell.one_dish import DishHost, OneDish
@@ -59,7 +59,8 @@ class Dishes:
 
     def stop(self, by: str) -> None:
         """STOP for all: their first bytes are on their way when this returns. Any thread."""
-        self._every.do([partial(dish.station.stop, by) for dish in (self.shown, *self.rest)])
+        # All of them whichever is shown: another thread may show another one meanwhile.
+        self._every.do([partial(dish.station.stop, by) for dish in self.all])
 
     def stop_elsewhere(self, by: str) -> None:
         """STOP for those that move and are another program's. Any thread."""
@@ -67,21 +68,38 @@ class Dishes:
         self._every.do([partial(dish.station.stop, by) for dish in elsewhere])
 
     def leave(self, by: str) -> None:
-        """STOP whatever moves, for an app that is about to end. Any thread; waits for nothing."""
+        """STOP whatever moves, and let nothing else begin to, for an app that ends. Any thread; waits for nothing."""
         moving = [dish for dish in self.all if is_moving(dish.station.state)]
+
+        def stop() -> None:
+            # Closing one dish may take seconds: all are barred before, also what rests just now between two motions.
+            may = [dish for dish in self.all if dish.session.bar() or dish in moving]
+            self._every.do([partial(dish.session.leave, by) for dish in may])
+
         # It waits for nothing. Told after STOP, a desk would take what is followed for ended, and not offer it again.
-        for dish in self.all:
-            dish.track.close()
-        if moving:
-            self._every.do([partial(dish.session.leave, by) for dish in moving])
+        do_each([*(dish.track.close for dish in self.all), stop])
 
     def end(self, by: str, wait_s: float) -> str:
-        """Close all sessions, what moves being stopped first; return where each dish is, a line for each."""
-        self.leave(by)
-        farewells = [dish.session.close() for dish in self.all]
-        for dish in self.all:
-            dish.track.wait(wait_s)
-        return "\n".join(f"{dish.tag}  {words}".strip() for dish, words in zip(self.all, farewells, strict=True))
+        """Close all sessions, what moves being stopped first; return where each dish is, a line for each.
+
+        Raises the first error once all is done; where the other dishes are is among its notes.
+        """
+        farewells = list[str]()
+
+        def close(dish: OneDish) -> None:
+            farewells.append(f"{dish.tag}  {dish.session.close()}".strip())
+
+        try:
+            do_each([
+                partial(self.leave, by),
+                *(partial(close, dish) for dish in self.all),
+                *(partial(dish.track.wait, wait_s) for dish in self.all),
+            ])  # fmt: skip
+        except Exception as error:
+            for line in farewells:
+                error.add_note(line)
+            raise
+        return "\n".join(farewells)
 
     @property
     def crash(self) -> BaseException | None:
