@@ -274,3 +274,11 @@ def test_none_is_the_firmwares_own_rate(wrong):
     wrong.step(3)
     assert wrong.bauds()[-1] == 115200
     assert wrong.state.link.state is LinkPhase.UP
+
+
+def test_a_console_that_loses_what_comes_too_soon_is_asked_again_after_its_pause():
+    bench = Bench("pro?seed=1", {}, firmware="pro").connect(15.0)
+    bench.device.shell.menu = "root"
+    found = bench.do(ProbePort())[-1]
+    assert found.saw is Saw.PROMPT
+    assert "odu" in found.listed

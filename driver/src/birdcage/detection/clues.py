@@ -11,13 +11,13 @@ neither has to be named by a person.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from birdcage.detection.machine_probe import answered, marked_lines
 from birdcage.detection.probe import BaudFinding, Saw
+from birdcage.detection.spoken import marked
 from birdcage.protocol.protocol import FirmwareProtocol
-from birdcage.protocol.registry import FIRMWARE_REGISTRY
 
 CERTAIN, LIKELY = 2, 1
 
@@ -31,12 +31,6 @@ class Clue:
     """What was seen: `prompt `TRK>` at 115200 baud`."""
     weight: int
     """`CERTAIN` where no other console is known to show it, else `LIKELY`."""
-
-
-def marked() -> Mapping[str, type[FirmwareProtocol]]:
-    """Return the dialects whose class tells how their console looks, by firmware."""
-    told = ("model", "dialect", "motor_menu")
-    return {name: each for name, each in FIRMWARE_REGISTRY.items() if all(hasattr(each, mark) for mark in told)}
 
 
 def clues_of(finding: BaudFinding, *, rate_counts: bool = True) -> tuple[Clue, ...]:
@@ -94,7 +88,7 @@ def _is_said_better(marks: frozenset[str], listed: frozenset[str]) -> bool:
     """Return whether another firmware's motor menu lists these commands and more, and all of them are there."""
     return any(
         marks < others <= listed
-        for protocol in FIRMWARE_REGISTRY.values()
+        for protocol in marked().values()
         for menu, others in protocol.dialect.submenu_marks.items()
         if menu == protocol.motor_menu
     )
@@ -113,11 +107,6 @@ def depends_on_rate(firmwares: Sequence[str]) -> bool:
     """Return whether some of these answer at every rate, and some at their own alone: another rate tells them apart."""
     spoken = marked()
     return len({spoken[name].model.any_baud for name in firmwares if name in spoken}) > 1
-
-
-def longest_gap_s() -> float:
-    """Return how long a console may have to be left alone after a line before it hears another one."""
-    return max(protocol.dialect.gap_s for protocol in marked().values())
 
 
 def known_tokens() -> tuple[str, ...]:

@@ -19,13 +19,12 @@ from birdcage.detection.clues import (
     depends_on_rate,
     firmwares_of,
     known_tokens,
-    longest_gap_s,
-    marked,
     without_rate,
 )
 from birdcage.detection.machine_probe import ask, questions
 from birdcage.detection.named_machine import meet_machine
 from birdcage.detection.probe import BaudFinding, Saw, overhear, probe
+from birdcage.detection.spoken import marked
 from birdcage.link.link import Link
 from birdcage.link.opening import has_speed, open_link
 from birdcage.rotator.hooks import Hooks
@@ -96,7 +95,7 @@ def detect_firmware(
             tell(f"Listening for the dish on {port} at {rate} baud …" if timed else f"Listening on {port} …")
             link = opening(port, rate)
             try:
-                findings.append(probe(link, clock, rate, tokens=known_tokens(), gap_s=longest_gap_s()))
+                findings.append(probe(link, clock, rate, tokens=known_tokens()))
             finally:
                 link.close()
             clues = clues_of(findings[-1], rate_counts=timed)

@@ -18,6 +18,7 @@ from birdcage.base.wake import Wake
 from birdcage.console.diagnosis import is_garbage
 from birdcage.console.escapes import without_escapes
 from birdcage.console.places import commands
+from birdcage.detection.spoken import longest_gap_s
 from birdcage.link.port import Port
 
 USUAL_BAUDS = (115200, 57600, 9600, 19200, 38400)
@@ -101,18 +102,19 @@ def probe(
     *,
     tokens: Iterable[str] = (),
     listen_s: float = LISTEN_S,
-    gap_s: float = 0.0,
+    gap_s: float | None = None,
     wake: Wake | None = None,
     on_wake: Callable[[], None] = lambda: None,
 ) -> BaudFinding:
     """Send one bare Enter over `link`, which is open at `baud`, and say what came within `listen_s`.
 
     What had arrived before counts as well: a dish that boots talks unasked. Where a prompt answers, `?` is asked too,
-    and once more after `gap_s` where that brings nothing: some consoles lose a line that comes too soon.
+    and once more after `gap_s` where that brings nothing: some consoles lose a line that comes too soon. None: after
+    as long as any console that is spoken here may need.
     `on_wake` is called when `wake` is set; it clears it, and may raise to end the wait. Raises LinkError when the port
     is gone.
     """
-    began = clock.monotonic()
+    began, pause_s = clock.monotonic(), longest_gap_s() if gap_s is None else gap_s
 
     def ask(line: bytes, seconds: float) -> bytes:
         """Send a line, and return what comes until a prompt stands, or until the time is over."""
@@ -147,8 +149,8 @@ def probe(
             # The prompt may have answered the program before this one, at another rate: only an Enter of ours tells.
             heard = text = ask(ENTER, listen_s)
             saw, prompt = judge(heard, tokens), _standing(heard)
-            if gap_s and saw is Saw.PROMPT and prompt:
-                leave_alone(gap_s)
+            if pause_s and saw is Saw.PROMPT and prompt:
+                leave_alone(pause_s)
                 told = ask(HELP, HELP_S)
         text += told
         listed = commands(line for line in _readable(text[len(heard) :]).splitlines() if line.strip() != prompt)
