@@ -14,7 +14,7 @@ from birdcage.protocol.carryout.dialect import BAUD, DIALECT, NVS, TARGET
 from birdcage.protocol.carryout.going import GotoAnswer, ceiling_of, go_line, judge_go, refusal_of
 from birdcage.protocol.carryout.hazards import HAZARDS
 from birdcage.protocol.carryout.records import LiveRecord, RecordReader
-from birdcage.protocol.hal.dialect import DIALECT_205 as TRAVLER
+from birdcage.protocol.hal import HAL205Protocol
 from birdcage.rotator.verdict import Grade
 from birdcage.sim.port import SimPort, open_device
 
@@ -150,7 +150,7 @@ def test_every_listed_command_is_in_a_menu_and_judged():
 def test_its_root_is_told_from_that_of_a_travler():
     listed = {"target", "motor", "dvb", "os", "nvs", "q"}
     assert DIALECT.root_marks <= listed
-    assert not TRAVLER.root_marks <= listed
+    assert not HAL205Protocol.dialect.root_marks <= listed
     assert not DIALECT.root_marks <= {"motor", "ngsearch", "nvs", "reboot", "stow", "q"}
 
 

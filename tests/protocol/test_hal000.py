@@ -60,6 +60,9 @@ def test_a_search_that_does_not_run_is_no_error_and_another_refusal_is():
     rig = Rig("&no_task_text=Invalid command")
     with pytest.raises(CommandRefused, match="kill Search"):
         rig.dish.kill_search()
+    assert rig.truth.menu == "mot", "and it waits for moves, not for the name of a task to kill"
+    with pytest.raises(CommandRefused, match="kill Search"):
+        rig.dish.initialize()
 
 
 @pytest.mark.parametrize("way_in", ["initialize", "get_position", "survey", "kill_search", "stow"])

@@ -88,7 +88,7 @@ def test_a_power_cycle_brings_it_back_to_the_indoor_unit_and_it_is_found_there()
     assert rig.truth.menu == "root"
     assert not told
     rig.dish.initialize()
-    assert told == ["The dish is back in menu `root`: only a restart leads there."]
+    assert told == ["The dish is back in menu `root`: only a restart is known to lead there."]
     assert rig.dish.console.place == "mot"
     rig.dish.survey()
     assert len(told) == 1
@@ -175,6 +175,51 @@ def test_another_firmware_is_refused_and_nothing_but_enter_and_help_was_sent(add
             ask()
         assert caught.value.reason == "wrong_firmware"
     assert set(rig.lines()) == {"", "?"}
+
+
+@pytest.mark.parametrize(("menu", "options", "told"), [
+    ("os", "", "No source says that it ends a TV search"),
+    ("os", "&no_task_text=Invalid command", "TV search, should it run, was not ended. The dish refused `kill Search`"),
+    ("", "", "TV search, should it run, was not ended. The dish refused `os`"),
+])  # fmt: skip
+def test_it_is_ready_whatever_it_says_to_the_line_that_ends_its_kins_search(menu, options, told):
+    rig, heard = Rig(DEADLY + options), []
+    if not menu:
+        rig.device.firmware.menus["odu"]._submenus = ("mot", "nvs")
+    rig.dish.initialize(heard.append)
+    assert told in heard[-1]
+    assert not any("is over" in line for line in heard)
+    assert (rig.dish.console.place, rig.truth.menu) == ("mot", "mot")
+    if told.startswith("TV search"):
+        with pytest.raises(CommandRefused):
+            rig.dish.kill_search()
+        assert rig.truth.menu == "mot"
+
+
+def test_a_menu_that_does_not_open_is_no_refusal_to_be_passed_over():
+    rig = Rig(DEADLY)
+    odu = rig.device.firmware.menus["odu"]
+    odu._submenus, odu.commands["os"] = ("mot", "nvs"), lambda _args: (text for text in ())
+    with pytest.raises(CommandRefused, match="did not go to menu `os`") as caught:
+        rig.dish.initialize()
+    assert caught.value.reason == "wrong_menu"
+    assert rig.truth.menu == "mot"
+
+
+def test_what_is_said_of_its_floor_its_search_and_its_start_is_its_own():
+    pro, older = (Judged(protocol(), Position(180.0, 45.0, 90.0)) for protocol in (TravlerProProtocol, HAL000Protocol))
+    for menu, line, own, kin in (
+        ("nvs", "e 125 5", "floor of its firmware is 12°", "Below 15°"),
+        ("nvs", "e 0127 5", "cut its two units off", "Below 15°"),
+        ("os", "kill Search", "May end", "Ends the TV search"),
+    ):
+        assert own in pro.judge(line, menu, homed=True).consequence
+        assert kin in older.judge(line, menu, homed=True).consequence
+    assert "it may home" in pro.judge("reboot", "odu", homed=True).consequence
+    assert "it homes" in older.judge("reboot", "root", homed=True).consequence
+    known = TravlerProProtocol.model.settings_known[125]
+    assert "12°" in known.danger
+    assert "never lower it" in known.note
 
 
 def test_it_is_refused_as_an_older_trav_ler_while_its_tunnel_is_closed():

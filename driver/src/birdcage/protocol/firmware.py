@@ -141,7 +141,7 @@ class FirmwareProtocol(ABC):
         """Take in where the dish stands: back at its root from a menu that nothing leaves, it has restarted."""
         inside = menu in self.dialect.one_way
         if self._was_inside and not inside:
-            self.on_restart(f"The dish is back in menu `{menu}`: only a restart leads there.")
+            self.on_restart(f"The dish is back in menu `{menu}`: only a restart is known to lead there.")
         self._was_inside = inside
 
     def disconnect(self, *, within_s: float = 2.0) -> None:

@@ -5,7 +5,7 @@ No full list is known.
 
 from __future__ import annotations
 
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
+from birdcage.protocol.hal.variant import NVS, VARIANTS, HalVariant
 from birdcage.rotator.raw import CommandDoc
 
 _MENUS = {
@@ -45,7 +45,7 @@ _SEARCH = {
     """,
     "os": """
         tasks | | lists the tasks that run
-        kill | <name> | ends a task; `kill Search` ends the TV search until the next power-up
+        kill | <name> | ends a task; `kill Search` {ends} the TV search until the next power-up
     """,
 }
 
@@ -57,7 +57,7 @@ def commands_of(variant: HalVariant) -> tuple[CommandDoc, ...]:
         **({"root": _TUNNEL} if variant.home != "root" else {}),
         variant.home: root,
         variant.motor: _MOTOR + _LEAVE,
-        variant.search: _SEARCH[variant.search] + _LEAVE,
+        variant.search: _SEARCH[variant.search].format(ends="ends" if variant.search_told else "may end") + _LEAVE,
         NVS: _NVS + _LEAVE,
     }
     return tuple(
@@ -69,4 +69,4 @@ def commands_of(variant: HalVariant) -> tuple[CommandDoc, ...]:
     )
 
 
-COMMANDS_205, COMMANDS_000, COMMANDS_PRO = map(commands_of, (HAL205, HAL000, PRO))
+COMMANDS = {variant.firmware: commands_of(variant) for variant in VARIANTS}

@@ -7,7 +7,7 @@ import re
 from birdcage.base.reason import Reason
 from birdcage.console.dialect import UNKNOWN_TOKEN, ConsoleDialect
 from birdcage.protocol.family import AXIS_NAMES, MOTOR_TROUBLES
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
+from birdcage.protocol.hal.variant import NVS, VARIANTS, HalVariant
 
 GAP_S = 1.0
 """How long the program for the Trav'ler Pro waits after a line (`docs/reference/travler-pro.md`, *Pace*)."""
@@ -62,4 +62,4 @@ def dialect_of(variant: HalVariant) -> ConsoleDialect:
     )
 
 
-DIALECT_205, DIALECT_000, DIALECT_PRO = map(dialect_of, (HAL205, HAL000, PRO))
+DIALECTS = {variant.firmware: dialect_of(variant) for variant in VARIANTS}

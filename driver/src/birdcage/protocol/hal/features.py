@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from birdcage.protocol.generic import end_tv_search
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
+from birdcage.protocol.hal.variant import NVS, VARIANTS, HalVariant
 from birdcage.protocol.nvs import row_label
 from birdcage.rotator.feature import SETTINGS, Cost, Feature, FeatureKind, FeaturePage, Range, Value
 from birdcage.rotator.feature_table import FeatureRow, FeatureTable
@@ -53,4 +53,4 @@ def features_of(variant: HalVariant) -> FeatureTable:
     )  # fmt: skip
 
 
-FEATURES_205, FEATURES_000, FEATURES_PRO = map(features_of, (HAL205, HAL000, PRO))
+FEATURES = {variant.firmware: features_of(variant) for variant in VARIANTS}

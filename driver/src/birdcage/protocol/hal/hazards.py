@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from birdcage.protocol.hal.dialect import dialect_of
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
+from birdcage.protocol.hal.dialect import DIALECTS
+from birdcage.protocol.hal.variant import NVS, VARIANTS, HalVariant
 from birdcage.protocol.hazard import Hazard, HazardTable, row_maker
 from birdcage.rotator.verdict import Grade
 
@@ -17,11 +17,12 @@ _NVS = frozenset({"limits", "search", "settings"})
 _UNGUARDED = "birdcage checks no limits for this line."
 _QUEUED = f"Moves an axis after the move under way. Nothing can cancel it. {_UNGUARDED}"
 _NO_SEARCH = "Ends the TV search; it begins again at the next power-up."
+_MAYBE_NO_SEARCH = "May end a TV search, until the next power-up: told of the older Trav'ler alone."
 
 
 def hazards_of(variant: HalVariant) -> HazardTable:
     """Return the table of one of the Trav'lers."""
-    row = row_maker(frozenset(dialect_of(variant).prompts), "root")
+    row = row_maker(frozenset(DIALECTS[variant.firmware].prompts), "root")
     return HazardTable(
         rows=(
             row("all", ""),
@@ -30,8 +31,8 @@ def hazards_of(variant: HalVariant) -> HazardTable:
             *_of_home(row, variant),
             *_too_high(row, variant),
             *_of_motor(row, variant.motor),
-            *_of_search(row, variant.search),
-            *_of_settings(row),
+            *_of_search(row, variant),
+            *_of_settings(row, variant),
         ),
         unlisted={"": "Undocumented command. It may change a setting, or worse."},
     )
@@ -67,8 +68,10 @@ def _of_home(row: Row, variant: HalVariant) -> Iterator[Hazard]:
     yield row(home, "stow( .*)?", Grade.RUINS,
               "Folds the dish flat by itself. A feed that is not the stock one may be crushed, and nothing stops it.",
               forgets=_WHERE, takes_s=60.0)  # fmt: skip
-    yield row(home, "reboot( .*)?", Grade.MOVES,
-              "Restarts the dish: it homes, turns over its whole range and begins its TV search.",
+    homes = "homes, turns over its whole range and begins its TV search"
+    if not variant.home_told:
+        homes = "may home, turn over its whole range and begin a TV search"
+    yield row(home, "reboot( .*)?", Grade.MOVES, f"Restarts the dish: it {homes}.",
               forgets=_ALL, takes_s=180.0, restarts=True)  # fmt: skip
 
 
@@ -86,24 +89,26 @@ def _of_motor(row: Row, motor: str) -> Iterator[Hazard]:
               f"{_UNGUARDED}", forgets=_WHERE, takes_s=30.0)  # fmt: skip
 
 
-def _of_search(row: Row, search: str) -> Iterator[Hazard]:
-    forgets = frozenset({"position", "search"})
+def _of_search(row: Row, variant: HalVariant) -> Iterator[Hazard]:
+    search, forgets = variant.search, frozenset({"position", "search"})
+    ends = _NO_SEARCH if variant.search_told else _MAYBE_NO_SEARCH
     if search == "ngsearch":
-        yield row(search, "s( .*)?", Grade.SETTING, _NO_SEARCH, forgets=forgets)
+        yield row(search, "s( .*)?", Grade.SETTING, ends, forgets=forgets)
         return
     yield row(search, "tasks")
-    yield row(search, "kill search", Grade.SETTING, _NO_SEARCH, forgets=forgets)
+    yield row(search, "kill search", Grade.SETTING, ends, forgets=forgets)
     yield row(search, "kill( (?!search$).*)?", Grade.RUINS,
               "Ends a task of the dish. What that task did, its console or its motors too, may stay dead until a "
               "power cycle.", forgets=_ALL)  # fmt: skip
 
 
-def _of_settings(row: Row) -> Iterator[Hazard]:
+def _of_settings(row: Row, variant: HalVariant) -> Iterator[Hazard]:
+    lowest = "|".join(map(str, variant.lowest.values()))
     yield row(NVS, r"d( \S+)?", takes_s=10.0)
     yield row(NVS, r"e( \S+)?")
-    yield row(NVS, "e 12[57] .+", Grade.SETTING,
-              "Changes the lowest elevation that the dish takes; `s` makes it permanent. Below 15° its own moves are "
-              "unreliable, and a feed may strike.", forgets=_NVS)  # fmt: skip
+    yield row(NVS, f"e 0*({lowest}) .+", Grade.SETTING,
+              f"Changes the lowest elevation that the dish takes; `s` makes it permanent. {variant.lower_down} A feed "
+              "may strike there.", forgets=_NVS)  # fmt: skip
     yield row(NVS, r"e \S+ .+", Grade.SETTING,
               "Changes a setting of the dish; `s` makes it permanent. Disabling the GPS of a dish that has one is "
               "said to cut its two units off from each other for good.", forgets=_NVS)  # fmt: skip
@@ -112,4 +117,4 @@ def _of_settings(row: Row) -> Iterator[Hazard]:
               forgets=_NVS, takes_s=10.0)  # fmt: skip
 
 
-HAZARDS_205, HAZARDS_000, HAZARDS_PRO = map(hazards_of, (HAL205, HAL000, PRO))
+HAZARDS = {variant.firmware: hazards_of(variant) for variant in VARIANTS}

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
-from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, FEATURES_PRO
-from birdcage.protocol.hal.own_settings import KNOWN_205, KNOWN_PRO
-from birdcage.protocol.hal.variant import PRO, SAFE_MINIMUM, SEARCH_MINIMUM
+from birdcage.protocol.hal.features import FEATURES
+from birdcage.protocol.hal.own_settings import KNOWN
+from birdcage.protocol.hal.variant import HAL000, HAL205, PRO, HalVariant
 from birdcage.protocol.nvs import row_label
 from birdcage.rotator.axis import Axis, CableRange, MeasuredTimes, Role
 from birdcage.rotator.facts import CableTurn, Facts, Handling, Readback, SearchSwitch, SecondMove, Setting, SilentSlew
@@ -59,13 +59,18 @@ _ABORT = Rung(
     anywhere=True,
 )
 
+
+def _floor_settings(variant: HalVariant) -> tuple[Setting, ...]:
+    return tuple(Setting(row_id(index), row_label(index)) for index in sorted(variant.lowest.values()))
+
+
 TRAVLER = Facts(
     name="Trav'ler",
-    firmware="hal205",
+    firmware=HAL205.firmware,
     baud=57600,
     axes=(
         Axis("azimuth", Role.AZ, 0.0, 360.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
-        Axis("elevation", Role.EL, 15.0, 90.0, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
+        Axis("elevation", Role.EL, *HAL205.el_deg, _SPEED_DEG_S, _ACCELERATION_DEG_S2, _STEP_DEG, times=MOVE_TIMES),
         SKEW,
     ),
     cable=CableRange(0.0, 455.0),
@@ -86,10 +91,10 @@ TRAVLER = Facts(
     power_switch="power switch",
     reflector=REFLECTOR,
     handling=HANDLING,
-    floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in (SEARCH_MINIMUM, SAFE_MINIMUM)),
-    features=FEATURES_205.features,
+    floor_settings=_floor_settings(HAL205),
+    features=FEATURES[HAL205.firmware].features,
     has_own_settings=True,
-    settings_known=KNOWN_205,
+    settings_known=KNOWN[HAL205.firmware],
     settings_name="nvs",
     rotctld_name="Winegard Trav'ler RS-485 Rotor",
     connectors=(plugs.TRAVLER,),
@@ -120,7 +125,13 @@ unknown. Its boot is as long as the
 longest of the family (10 to 15 minutes with a search).
 """
 
-OLDER_TRAVLER = replace(TRAVLER, name="older Trav'ler", firmware="hal000", features=FEATURES_000.features)
+OLDER_TRAVLER = replace(
+    TRAVLER,
+    name="older Trav'ler",
+    firmware=HAL000.firmware,
+    features=FEATURES[HAL000.firmware].features,
+    settings_known=KNOWN[HAL000.firmware],
+)
 """The same dish with HAL 0.0.00: what its papers measured and warn of was told of this one."""
 
 _PRO_INFERRED = """
@@ -139,9 +150,9 @@ TRAVLER_PRO = replace(
         POWER_SWITCH,
     ),
     axes=(TRAVLER.azimuth, replace(TRAVLER.elevation, min_deg=PRO.el_deg[0], max_deg=PRO.el_deg[1]), SKEW),
-    features=FEATURES_PRO.features,
-    floor_settings=tuple(Setting(row_id(index), row_label(index)) for index in PRO.lowest.values()),
-    settings_known=KNOWN_PRO,
+    features=FEATURES[PRO.firmware].features,
+    floor_settings=_floor_settings(PRO),
+    settings_known=KNOWN[PRO.firmware],
     reflector=None,
     handling=Handling(),
     connectors=(plugs.TRAVLER_PRO,),

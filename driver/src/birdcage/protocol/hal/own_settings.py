@@ -11,7 +11,7 @@ from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.base.reason import Reason
 from birdcage.console.session import Console
 from birdcage.protocol.hal.answers import parse_setting
-from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
+from birdcage.protocol.hal.variant import NVS, VARIANTS, HalVariant
 from birdcage.rotator.feature import Range
 from birdcage.rotator.own_settings import SettingKnown, SettingRow, SettingsTable
 from birdcage.rotator.setting_values import same_value
@@ -20,23 +20,27 @@ _SAVE_S = 10.0
 """How long a write to flash may take: no source says. Only a deadline depends on it."""
 _ROW = re.compile(r"\s*(\d{1,6})[).:]?\s+(\S.*?)\s*", re.ASCII)
 _VALUE = re.compile(r"[-+]?\d+(?:\.\d+)?|0[xX][0-9A-Fa-f]+|TRUE|FALSE", re.ASCII)
-_LOW = "Below 15° its own moves are unreliable. Lower down it may run into its end stop, or a feed may hit."
-
 _NOTES = {
     "floor": "The lowest elevation that it goes to.",
     "floor.search": "The lowest elevation of its TV search.",
 }
+_ONE_EXAMPLE = (
+    "The lowest elevation, by one example; on other Trav'lers that of the TV search. Here it may raise the floor of "
+    "{floor:g}°, and never lower it."
+)
 
 
 def known_of(variant: HalVariant) -> Mapping[int, SettingKnown]:
     """Return what sources tell of the settings of one of the Trav'lers, by row."""
+    danger = f"{variant.lower_down} Lower down it may run into its end stop, or a feed may hit."
+    notes = _NOTES if variant.row_may_lower else {"floor": _ONE_EXAMPLE.format(floor=variant.el_deg[0])}
     return {
-        index: SettingKnown(index, "deg", range=Range(-90.0, 90.0), danger=_LOW, note=_NOTES[name])
+        index: SettingKnown(index, "deg", range=Range(-90.0, 90.0), danger=danger, note=notes[name])
         for name, index in sorted(variant.lowest.items(), key=lambda each: each[1])
     }
 
 
-KNOWN_205, KNOWN_000, KNOWN_PRO = map(known_of, (HAL205, HAL000, PRO))
+KNOWN = {variant.firmware: known_of(variant) for variant in VARIANTS}
 
 
 class _Dish(Protocol):

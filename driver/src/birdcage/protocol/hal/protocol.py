@@ -8,26 +8,22 @@ from typing import TYPE_CHECKING, ClassVar, Unpack
 from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, PositionUnknown
 from birdcage.base.reason import Reason
-from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.raw import Typed
 from birdcage.console.session_hooks import SessionHooks
 from birdcage.protocol.family import angle_text
 from birdcage.protocol.hal.answers import parse_position, parse_setting
 from birdcage.protocol.hal.boot import BootWatch
-from birdcage.protocol.hal.commands import COMMANDS_000, COMMANDS_205, COMMANDS_PRO
-from birdcage.protocol.hal.dialect import DIALECT_000, DIALECT_205, DIALECT_PRO
-from birdcage.protocol.hal.features import FEATURES_000, FEATURES_205, FEATURES_PRO
-from birdcage.protocol.hal.hazards import HAZARDS_000, HAZARDS_205, HAZARDS_PRO
+from birdcage.protocol.hal.commands import COMMANDS
+from birdcage.protocol.hal.dialect import DIALECTS
+from birdcage.protocol.hal.features import FEATURES
+from birdcage.protocol.hal.hazards import HAZARDS
 from birdcage.protocol.hal.model import MOVE_TIMES, OLDER_TRAVLER, TRAVLER, TRAVLER_PRO
 from birdcage.protocol.hal.own_settings import HalOwnSettings
 from birdcage.protocol.hal.pages import all_pages
 from birdcage.protocol.hal.variant import HAL000, HAL205, NVS, PRO, HalVariant
-from birdcage.protocol.hazard import HazardTable
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.rotator.facts import Facts
-from birdcage.rotator.feature_table import FeatureTable
 from birdcage.rotator.own_settings import OwnSettings, row_id
-from birdcage.rotator.raw import CommandDoc
 from birdcage.rotator.values import Position, Survey, Taken
 
 if TYPE_CHECKING:
@@ -46,7 +42,17 @@ class HalProtocol(FirmwareProtocol):
     """The Trav'lers' consoles: a menu of moves, one in which the TV search is ended; prompts are learnt."""
 
     variant: ClassVar[HalVariant]
-    """In what this one differs from the others."""
+    """In what this one differs from the others: a subclass has it and its `model`, and the rest from tables."""
+
+    def __init_subclass__(cls) -> None:
+        """Give a class that has a `variant` of its own what the tables have of it."""
+        super().__init_subclass__()
+        if "variant" in vars(cls):
+            variant = cls.variant
+            cls.name, cls.motor_menu = variant.firmware, variant.motor
+            cls.boot_marks = cls.log_marks = variant.boot_marks
+            cls.dialect, cls.feature_table = DIALECTS[variant.firmware], FEATURES[variant.firmware]
+            cls.hazards, cls.commands = HAZARDS[variant.firmware], COMMANDS[variant.firmware]
 
     def __init__(self) -> None:
         self._slew: Typed | None = None
@@ -78,9 +84,20 @@ class HalProtocol(FirmwareProtocol):
         """
         tell = callback or (lambda _line: None)
         self._boot.wait(self.console, self.is_homed, tell, timeout_s)
-        tell("The dish answers. Ending its TV search.")
-        self.kill_search()
-        tell("The TV search is over. It begins again at the next power-up.")
+        if self.variant.search_told:
+            tell("The dish answers. Ending its TV search.")
+            self.kill_search()
+            tell("The TV search is over. It begins again at the next power-up.")
+            return
+        tell("The dish answers. Sending the line that may end a TV search.")
+        try:
+            self.kill_search()
+        except CommandRefused as refused:
+            if refused.reason == Reason.WRONG_MENU:
+                raise
+            tell(f"A TV search, should it run, was not ended. {refused}")
+        else:
+            tell("The dish took the line. No source says that it ends a TV search of this dish.")
 
     def enter_motor_menu(self) -> None:
         """Enter the menu of moves."""
@@ -152,7 +169,7 @@ class HalProtocol(FirmwareProtocol):
         return HalOwnSettings(self, self.model.settings_known)
 
     def survey(self) -> Survey:
-        """Read the lowest elevations (NVS 125 and 127): nothing else is told by a known command."""
+        """Read the rows of the lowest elevations: nothing else is told by a known command."""
         lowest_in = self.variant.lowest
         try:
             rows = {index: self.read_nvs(index) for index in sorted(lowest_in.values())}
@@ -194,22 +211,30 @@ class HalProtocol(FirmwareProtocol):
     def kill_search(self) -> None:
         """End the TV search until the next power-up (`docs/reference/travler.md`, *Start and search*).
 
-        On HAL 2.05 `ngsearch`, `s`, `q`; on HAL 0.0.00 `os`, `kill Search`, `q`. Then go to the motor menu.
+        On HAL 2.05 `ngsearch`, `s`, `q`; on HAL 0.0.00 `os`, `kill Search`, `q`. Then go to the motor menu, also where
+        the dish refuses it (CommandRefused).
         """
-        self.console.enter(self.variant.search)
+        try:
+            self.console.enter(self.variant.search)
+            self._end_search()
+        except CommandRefused:
+            self.enter_motor_menu()
+            raise
+        self.console.leave_one()
+        self.enter_motor_menu()
+
+    def _end_search(self) -> None:
         try:
             self.console.exchange(self.variant.end_search)
         except CommandRefused as refused:
             if refused.reason != Reason.FAILED:
                 raise  # `failed` is said of a search that does not run
-        self.console.leave_one()
-        self.enter_motor_menu()
 
     def restore_search(self) -> None:
         """Raise CommandRefused (`unsupported`): the next power-up does it."""
+        begins = "it begins by itself at the next power-up" if self.variant.search_told else "a power-up may begin it"
         raise CommandRefused(
-            "The Trav'ler has no command that begins its TV search: it begins by itself at the next power-up.",
-            reason=Reason.UNSUPPORTED,
+            f"The {self.model.name} has no command that begins its TV search: {begins}.", reason=Reason.UNSUPPORTED
         )
 
 
@@ -217,43 +242,21 @@ class HAL205Protocol(HalProtocol):
     """The Trav'ler with HAL 2.05: menu `motor`, search ended by `ngsearch`, `s`, `q`."""
 
     variant = HAL205
-    name: ClassVar[str] = HAL205.firmware
     model: Facts = TRAVLER
-    dialect: ClassVar[ConsoleDialect] = DIALECT_205
-    motor_menu: ClassVar[str] = HAL205.motor
-    feature_table: ClassVar[FeatureTable] = FEATURES_205
-    hazards: ClassVar[HazardTable] = HAZARDS_205
-    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_205
-    boot_marks: ClassVar[tuple[str, ...]] = HAL205.boot_marks
-    log_marks: ClassVar[tuple[str, ...]] = boot_marks
 
 
 class HAL000Protocol(HalProtocol):
     """The older Trav'ler with HAL 0.0.00: menu `mot`, search ended by `os`, `kill Search`, `q`."""
 
     variant = HAL000
-    name: ClassVar[str] = HAL000.firmware
     model: Facts = OLDER_TRAVLER
-    dialect: ClassVar[ConsoleDialect] = DIALECT_000
-    motor_menu: ClassVar[str] = HAL000.motor
-    feature_table: ClassVar[FeatureTable] = FEATURES_000
-    hazards: ClassVar[HazardTable] = HAZARDS_000
-    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_000
-    boot_marks: ClassVar[tuple[str, ...]] = HAL000.boot_marks
-    log_marks: ClassVar[tuple[str, ...]] = boot_marks
 
 
 class TravlerProProtocol(HalProtocol):
     """The Trav'ler Pro: all that moves lies behind the tunnel `odu`, which nothing is known to leave."""
 
     variant = PRO
-    name: ClassVar[str] = PRO.firmware
     model: Facts = TRAVLER_PRO
-    dialect: ClassVar[ConsoleDialect] = DIALECT_PRO
-    motor_menu: ClassVar[str] = PRO.motor
-    feature_table: ClassVar[FeatureTable] = FEATURES_PRO
-    hazards: ClassVar[HazardTable] = HAZARDS_PRO
-    commands: ClassVar[tuple[CommandDoc, ...]] = COMMANDS_PRO
 
     def abort_lines(self) -> tuple[str, ...]:
         """One bare Enter: a second one right behind it would come too fast, and be lost."""

@@ -26,7 +26,7 @@ class HalVariant:
     search: str
     """The menu in which its TV search is ended."""
     end_search: str
-    """The line that ends it there, until the next power-up."""
+    """The line that ends it there, until the next power-up: see `search_told`."""
     lowest: Mapping[str, int]
     """The rows of its settings that hold its lowest elevations, by the feature that tells them."""
     boot_marks: tuple[str, ...]
@@ -41,10 +41,16 @@ class HalVariant:
     """The menu that its menus lie in, `stow` and `reboot` with them. Not the root: a tunnel that nothing leaves."""
     el_deg: tuple[float, float] = (15.0, 90.0)
     """The lowest elevation that its own moves reach reliably, and the highest."""
+    lower_down: str = "Below 15° its own moves are unreliable."
+    """What is said of elevations below that, in a sentence."""
     stalls_above: bool = False
     """Whether it stalls higher up, and may lock up."""
     row_may_lower: bool = True
     """Whether a source names the row of its floor, so that it counts also where it is lower than `el_deg`."""
+    search_told: bool = True
+    """Whether a source says that it searches from each power-up on, and that `end_search` ends that."""
+    home_told: bool = True
+    """Whether each of them homes at power-up."""
     pages: bool = False
     """Whether `d` shows its settings page by page."""
     unlike: frozenset[str] = frozenset()
@@ -94,8 +100,13 @@ PRO = HalVariant(
     home="odu",
     lowest={"floor": 125},
     el_deg=(12.0, 75.0),
+    lower_down="The floor of its firmware is 12°; what its moves do below is not known.",
     stalls_above=True,
     row_may_lower=False,  # one example in one README; the same row of a Trav'ler is that of its search
+    search_told=False,
+    home_told=False,
     pages=True,
 )
 """The outdoor unit behind its tunnel; the indoor unit, which answers first, knows none of this."""
+
+VARIANTS = (HAL205, HAL000, PRO)
