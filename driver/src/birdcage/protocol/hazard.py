@@ -36,7 +36,7 @@ class Hazard:
     """Whether it speaks of what might be left of any line, not of a command: only in the menu that the dish is in."""
 
     above_deg: float | None = None
-    """It speaks only of what sends the elevation `el` higher than this, or where nobody can tell; None: of every line.
+    """It speaks only of what sends the elevation `el` higher than this, or to no readable angle; None: of every line.
 
     The group `motor`, where there is one, says which axis it is of.
     """

@@ -145,6 +145,13 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
     return latched if state.held is not None else ("STOP holds it where it is",)
 
 
+def search_ended(dish: Facts) -> str:
+    """Return what a STOP that sent the line that ends a TV search has done, as a sentence with a blank behind it."""
+    if dish.ends_search:
+        return "The TV search was ended. "
+    return "The line that may end a TV search was sent; whether it did is not known. "
+
+
 def _acts(dish: Facts | None) -> bool:
     """Return whether a STOP that sees the dish move has something to send."""
     return dish is not None and any(rung.means.is_sent for rung in dish.stop_ladder)

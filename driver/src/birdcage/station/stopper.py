@@ -32,6 +32,7 @@ from birdcage.station.stop_pending import (
     StopReach,
 )
 from birdcage.station.stop_times import MOST_REPEATS, StopTimes
+from birdcage.station.stop_words import search_ended
 
 COALESCE_S = 0.2
 """Presses that follow this closely are one STOP."""
@@ -260,14 +261,9 @@ class Stopper:
             pending.deadline = max(
                 pending.deadline, now + self._times.lasts_s(pending.report.means, slowest=pending.slowest)
             )
-            pending.note = self._search_ended() if pending.report.means is StopMeans.SEARCH else ""
+            pending.note = search_ended(self._antenna.model) if pending.report.means is StopMeans.SEARCH else ""
         except CommandRefused as refused:
             pending.note = f"The TV search was not ended: {refused} "
-
-    def _search_ended(self) -> str:
-        if self._antenna.model.ends_search:
-            return "The TV search was ended. "
-        return "The line that may end a TV search was sent; whether it did is not known. "
 
     def _may_crawl(self, means: StopMeans) -> bool:
         """Return whether the dish may move at an unknown speed: in a motion not sent from here."""

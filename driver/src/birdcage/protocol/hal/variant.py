@@ -46,7 +46,7 @@ class HalVariant:
     stalls_above: bool = False
     """Whether it stalls higher up, and may lock up."""
     row_may_lower: bool = True
-    """Whether a source names the row of its floor, so that it counts also where it is lower than `el_deg`."""
+    """Whether a source names the row of its floor: only then does it count where it is lower than `el_deg`."""
     search_told: bool = True
     """Whether a source says that it searches from each power-up on, and that `end_search` ends that."""
     home_told: bool = True
