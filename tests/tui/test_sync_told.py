@@ -10,7 +10,7 @@ import stand_in
 from birdcage.base.errors import ConfirmationNeeded
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.station.requests import Sync
-from birdcage_tui.widgets.dialogs import QuestionScreen
+from birdcage_tui.widgets.dialogs import TAKEN_IN_S, QuestionScreen
 from birdcage_tui.widgets.fields_screen import FieldsScreen
 from stage import run
 
@@ -91,6 +91,7 @@ def test_what_it_believes_otherwise_is_asked_in_its_words():
         await pilot.pause()
         assert isinstance(app.screen, QuestionScreen)
         shown = stand_in.text_of(app)
+        app.session.clock.advance(TAKEN_IN_S)
         await pilot.press("y")
         await pilot.pause()
         return shown, [each for each in asked if isinstance(each, Sync)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 from typing import Protocol
 
+from birdcage.station.access import FaceStation
 from birdcage.station.requests import Request
 
 from birdcage_tui.feeds.calibrate_feed import CalibrateFeed
@@ -18,6 +19,21 @@ from birdcage_tui.feeds.sky_feed import SkyFeed
 from birdcage_tui.feeds.system_feeds import SystemFeeds
 from birdcage_tui.feeds.track_feed import TrackFeed
 from birdcage_tui.shown.view import View
+
+
+class ShownDish(Protocol):
+    """A dish of the app, as it was shown: what is told and asked of it stays its own once another one is shown."""
+
+    @property
+    def station(self) -> FaceStation:
+        """Where requests go."""
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether pages, keys and questions are about this one now."""
+
+    def say(self, words: str) -> None:
+        """Tell a sentence of it: in row 2 while it is shown, and among its notes."""
 
 
 class AppHost(Protocol):
@@ -45,6 +61,10 @@ class AppHost(Protocol):
     """What the app was told before it began."""
     aim: tuple[float, float] | None
     """Where the go-to line would lead, while one types into it."""
+
+    @property
+    def dish(self) -> ShownDish:
+        """The dish that is shown now; whatever answers late keeps the one that it was asked for."""
 
     def view(self) -> View:
         """Return what one frame shows, now."""

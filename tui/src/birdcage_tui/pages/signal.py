@@ -286,7 +286,7 @@ class SignalPage(Page):
         if path is None:
             self.host.say("There is no folder for recordings.")
         else:
-            ReplayDesk(self.app, path).open()
+            ReplayDesk(self, path).open()
 
     def _hear_by(self, source: str | None) -> None:
         if source is None:

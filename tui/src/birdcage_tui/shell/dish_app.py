@@ -54,12 +54,16 @@ class DishApp(App[None]):
         self.paint()
 
     def _take_up(self) -> None:
-        dish = self.dishes.shown
+        self.dish = dish = self.dishes.shown
         self.session, self.station, self.network = dish.session, dish.station, dish.network
         self.tap, self.motions, self.feeds = dish.tap, dish.motions, dish.feeds
         feeds = dish.feeds
         self.presets, self.horizon, self.maps, self.system = feeds.presets, feeds.horizon, feeds.maps, feeds.system
         self.sky, self.track, self.signals, self.calibrate = feeds.sky, feeds.track, feeds.signals, feeds.calibrate
+
+    def shows(self, dish: OneDish) -> bool:
+        """Return whether pages, keys and questions are about this dish. Any thread."""
+        return self.dishes.shown is dish
 
     @property
     def settings(self) -> AppOptions:

@@ -40,6 +40,9 @@ class DishHost(Protocol):
     def bell(self) -> None:
         """Ring."""
 
+    def shows(self, dish: OneDish) -> bool:
+        """Return whether pages, keys and questions are about this dish. Any thread."""
+
     def tell_event(self, dish: OneDish, event: Event) -> None:
         """Pass an event of this dish on. Runs on the station's thread."""
 
@@ -70,6 +73,11 @@ class OneDish:
         if not settings.tour:
             self.tour.end()
         self._unsubscribe: Callable[[], None] | None = None
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether pages, keys and questions are about this one now. Any thread."""
+        return self._host.shows(self)
 
     @property
     def has_begun(self) -> bool:

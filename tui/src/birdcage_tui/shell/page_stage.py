@@ -106,8 +106,9 @@ class PageStage:
         async with self._turn:
             screen, pages = self._app.screen_stack[0], self._pages
             name = (pages.current or "page-dashboard").removeprefix("page-")
-            if len(self._app.screen_stack) > 1:
+            if self._is_asked:
                 return  # a question about this dish came up meanwhile
+            pages.current = None  # from here on no page opens a dialog late
             screen.query_one(GotoLine).close()
             screen.set_focus(None)
             if self.sheet is not None:
@@ -117,18 +118,22 @@ class PageStage:
             if self._watching is not None:
                 self._host.station.submit(Unwatch(self._watching))
             self._watching, self._features = None, frozenset()
-            pages.current = None
             await pages.remove_children()
             if self._pocket is not None:
                 await self._pocket.remove()
                 self._pocket = None
             for pump in (*screen.query(GotoLine), screen, self._app):
                 await idle(pump)
-            take_next()
+            if not self._is_asked:  # by what was heard last: it is answered for the dish that it was asked about
+                take_next()
             if self.folded:
                 await self._mount_pocket()
             await self._page(name, None)
             self._host.paint()
+
+    @property
+    def _is_asked(self) -> bool:
+        return len(self._app.screen_stack) > 1
 
     def typing_changed(self) -> None:
         """The console's line has the focus, or no longer (also because the app ends, page by page)."""

@@ -12,7 +12,7 @@ from birdcage.station.requests import AcceptLimits, Home, SetSearch
 from textual.app import App
 
 from birdcage_tui.feeds.settings import AppOptions
-from birdcage_tui.shell.sync_question import SyncHost, SyncQuestion
+from birdcage_tui.shell.sync_question import SyncHost, SyncQuestion, may_open
 from birdcage_tui.shown.options import SitePlace
 from birdcage_tui.shown.stop_words import power_switch
 from birdcage_tui.shown.view import YOU
@@ -85,9 +85,11 @@ class Questions:
         def check(values: Values) -> str:
             return "" if values[0].strip() else "Type a path, or paste elements."
 
+        dish = self._host.dish
+
         def told(text: str, added: AddOutcome) -> None:
-            if added.whole:
-                self._host.say(added.words)
+            if added.whole or not may_open(self._app, dish):
+                dish.say(added.words)
             else:
                 self.elements(text, added.words)
 

@@ -9,11 +9,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
 from birdcage.base.errors import ConfirmationNeeded
-from birdcage.station.access import FaceStation
 from birdcage.station.requests import Sync
 from textual.app import App
 
-from birdcage_tui.feeds.app_host import AppHost
+from birdcage_tui.feeds.app_host import AppHost, ShownDish
 from birdcage_tui.shown.view import YOU
 from birdcage_tui.widgets.dialogs import QuestionScreen
 from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
@@ -27,12 +26,11 @@ WORDS = (
 )
 
 
+TITLE = "Tell it where it points"
+
+
 class SyncHost(AppHost, Protocol):
     """The app, seen from here."""
-
-    @property
-    def station(self) -> FaceStation:
-        """Where requests go."""
 
     def soon(self, work: Callable[[], None]) -> None:
         """Do something soon on the app's thread. Any thread."""
@@ -46,6 +44,7 @@ class SyncQuestion:
 
     def ask(self) -> None:
         """Show the form, with where it is known to point."""
+        dish = self._host.dish
         state = self._host.view().state
         known = state.position if state.position_lost is None else None
         az, el = ("", "") if known is None else (f"{known.az_deg:.1f}", f"{known.el_deg:.1f}")
@@ -56,34 +55,41 @@ class SyncQuestion:
         def answered(values: Values | None) -> None:
             if values is not None:
                 el_deg = _angle(values[1]) if values[1].strip() else None
-                self._tell(self._host.station, Sync(_angle(values[0]), el_deg, YOU))
+                self._tell(dish, Sync(_angle(values[0]), el_deg, YOU))
 
         def check(values: Values) -> str:
             return _wrong(values, may_lack=measures)
 
-        self._app.push_screen(
-            FieldsScreen("Tell it where it points", WORDS, fields, check, enter="Enter tells"), answered
-        )
+        self._app.push_screen(FieldsScreen(TITLE, WORDS, fields, check, enter="Enter tells"), answered)
 
-    def _tell(self, station: FaceStation, request: Sync) -> None:
-        """Tell this dish; its answer may come when another one is shown."""
+    def _tell(self, dish: ShownDish, request: Sync) -> None:
+        """Tell this dish; its answer is about it, also when it comes while another one is shown."""
 
         def done(future: Future[object]) -> None:
             error = None if future.cancelled() else future.exception()
             if isinstance(error, ConfirmationNeeded):
-                self._host.soon(partial(self._confirm, station, request, str(error)))
+                self._host.soon(partial(self._confirm, dish, request, str(error)))
                 return
             words = f"It was told: azimuth {request.az_deg:.2f}°." if error is None else str(error)
-            self._host.soon(partial(self._host.say, words))
+            self._host.soon(partial(dish.say, words))
 
-        station.submit(request).add_done_callback(done)
+        dish.station.submit(request).add_done_callback(done)
 
-    def _confirm(self, station: FaceStation, request: Sync, words: str) -> None:
+    def _confirm(self, dish: ShownDish, request: Sync, words: str) -> None:
+        if not may_open(self._app, dish):
+            dish.say(f"Press Y again: {words}")
+            return
+
         def answered(agreed: bool | None) -> None:
             if agreed:
-                self._tell(station, replace(request, agreed=True))
+                self._tell(dish, replace(request, agreed=True))
 
-        self._app.push_screen(QuestionScreen("Tell it where it points", words, "tell it"), answered)
+        self._app.push_screen(QuestionScreen(TITLE, words, "tell it", by_itself=True), answered)
+
+
+def may_open(app: App[None], dish: ShownDish) -> bool:
+    """Return whether a dialog about this dish may open late: while it is shown, and no other dialog is."""
+    return dish.is_shown and len(app.screen_stack) == 1
 
 
 def _angle(text: str) -> float:

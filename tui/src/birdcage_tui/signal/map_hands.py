@@ -110,6 +110,8 @@ class MapHands(MapWork):
 
         def ready(found: TargetPath | str) -> None:
             way.set_result(None)
+            if self._is_gone("No map was begun."):
+                return
             now = self._host.view().state
             if now.held is not None or _is_another(stopped, now.last_stop):
                 self._host.say(STOPPED)
@@ -138,6 +140,8 @@ class MapHands(MapWork):
             self._host.maps.head(shown.key, self._ask_again)
 
     def _ask_again(self, head: MapHead | str) -> None:
+        if self._is_gone("The map was not resumed."):
+            return
         shown, view = self._host.view().map, self._host.view()
         if isinstance(head, str):
             self._host.say(head)
@@ -159,6 +163,8 @@ class MapHands(MapWork):
         self._page.app.push_screen(question, answered)
 
     def _choose(self, found: Sequence[MapHead] | str) -> None:
+        if self._is_gone("M on F3 lists the maps."):
+            return
         if isinstance(found, str):
             self._host.say(found)
         elif not found:

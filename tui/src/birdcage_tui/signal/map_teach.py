@@ -92,6 +92,8 @@ class MapTeach(MapWork):
 
         def told(found: Found | str) -> None:
             self._at_work = False
+            if self._is_gone("y on F3 computes it again."):
+                return
             if isinstance(found, str):
                 self._host.say(found)
             elif self._page.is_free:

@@ -7,13 +7,13 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from functools import partial
 from pathlib import Path
-from typing import TypeVar, cast
+from typing import TYPE_CHECKING, TypeVar, cast
 
 from birdcage.base.errors import BirdcageError
 from birdcage.signal.recordings import Recording, list_recordings
 from birdcage.signal.replay import Tape, TapeWindow, open_tape, read_window
 from textual import events
-from textual.app import App, ComposeResult
+from textual.app import ComposeResult
 from textual.containers import Container
 from textual.timer import Timer
 
@@ -33,6 +33,9 @@ from birdcage_tui.widgets.choice_screen import ChoiceRow, ChoiceScreen
 from birdcage_tui.widgets.dialogs import Dialog
 from birdcage_tui.widgets.fields_screen import FieldRow, FieldsScreen, Values
 from birdcage_tui.widgets.status import BadDayRow, TopRow
+
+if TYPE_CHECKING:
+    from birdcage_tui.widgets.page import Page
 
 Found = TypeVar("Found")
 FRAME_S = 0.1
@@ -214,8 +217,8 @@ class ReplayScreen(Dialog[None]):
 class ReplayDesk:
     """Asks which recording, and replays it. The disk is read by workers: the app's thread never waits for it."""
 
-    def __init__(self, app: App[object], path: Path) -> None:
-        self._app, self._path = app, path
+    def __init__(self, page: Page, path: Path) -> None:
+        self._page, self._path = page, path
 
     def open(self) -> None:
         """List what there is."""
@@ -223,28 +226,35 @@ class ReplayDesk:
 
     def _choose(self, recordings: Sequence[Recording]) -> None:
         if any(each.readings for each in recordings):
-            self._app.push_screen(recordings_question(recordings), self._chosen)
+            self._page.app.push_screen(recordings_question(recordings), self._chosen)
         else:
-            cast(AppHost, self._app).say("Nothing recorded yet. r records the signal.")
+            self._page.dish.say("Nothing recorded yet. r records the signal.")
 
     def _chosen(self, number: str | None) -> None:
         if number is not None:
-            cast(AppHost, self._app).say(f"Reading recording {number} …")
+            self._page.dish.say(f"Reading recording {number} …")
             self._in_worker(partial(open_tape, self._path, int(number)), self._play)
 
     def _play(self, tape: Tape) -> None:
-        cast(AppHost, self._app).say(f"Replaying recording {tape.recording.number}.")
-        self._app.push_screen(ReplayScreen(self._path, tape))
+        self._page.dish.say(f"Replaying recording {tape.recording.number}.")
+        self._page.app.push_screen(ReplayScreen(self._path, tape))
 
     def _in_worker(self, read: Callable[[], Found], then: Callable[[Found], None]) -> None:
         """Read on a thread of its own, then go on with what was found; say what went wrong."""
+        app, dish = self._page.app, self._page.dish
+
+        def have(found: Found) -> None:
+            if self._page.is_attached:
+                then(found)
+            else:  # another dish is shown
+                dish.say("The recordings are read. R on F3 lists them.")
 
         def work() -> None:
             try:
                 found = read()
             except BirdcageError as error:
-                self._app.call_from_thread(cast(AppHost, self._app).say, str(error))
+                app.call_from_thread(dish.say, str(error))
             else:
-                self._app.call_from_thread(then, found)
+                app.call_from_thread(have, found)
 
-        self._app.run_worker(work, thread=True, group="replay")
+        app.run_worker(work, thread=True, group="replay")

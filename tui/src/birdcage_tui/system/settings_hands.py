@@ -117,7 +117,7 @@ class SettingsHands:
             if self._page.is_free and self._page.part.id == "system-settings":
                 then(True)
             else:
-                self._page.host.say("The dish's settings are read. Press the key again.")
+                self._page.dish.say("The dish's settings are read. Press the key again.")
 
         self._feed.read(have)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
 from textual.containers import Container
 from textual.widget import Widget
@@ -11,6 +11,9 @@ from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.allowed import can_release
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
+
+if TYPE_CHECKING:
+    from birdcage_tui.feeds.app_host import ShownDish
 
 
 class Page(Container):
@@ -29,6 +32,10 @@ class Page(Container):
         self.scope = (id or "").removeprefix("page-")
         """The page's name, which its commands have in `where`."""
 
+    def on_mount(self) -> None:
+        """Keep which dish it is about; showing another one makes another page."""
+        self.dish: ShownDish = self.host.dish
+
     @property
     def watches(self) -> frozenset[str]:
         """What the station should read now: `WATCHES`, and what a page adds for what it shows."""
@@ -46,7 +53,12 @@ class Page(Container):
 
     @property
     def is_free(self) -> bool:
-        """Whether the page is seen, nothing lies over it, and no text is typed: only then may a dialog open late."""
+        """Whether the page is seen, nothing lies over it, and no text is typed: only then may a dialog open late.
+
+        Never once it is gone. The page that is seen then may have its name, and be about another dish.
+        """
+        if not self.is_attached:
+            return False
         view = self.host.view()
         return len(self.app.screen_stack) == 1 and self.scope in view.scopes and not view.typing
 
