@@ -14,6 +14,7 @@ from birdcage.base.paths import Paths
 from birdcage.link.ports import PortInfo
 from birdcage_tui import main, run
 from birdcage_tui.feeds.settings import AppOptions
+from birdcage_tui.shell.birdcage_app import BirdcageApp
 
 
 def test_help_and_version_need_no_textual():
@@ -53,7 +54,10 @@ class Ended:
     def __init__(self, session, _settings):
         self.dishes = SimpleNamespace(end=self.end, crash=session.crash)
         self.session = session
-        self.ending = SimpleNamespace(anew=False, by_signal=lambda _number: None)
+        self.ending = SimpleNamespace(anew=None, by_signal=lambda _number: None)
+
+    def begin_with(self, number):
+        assert number == 1
 
     def end(self, _by, wait_s):
         words = self.session.close()
@@ -240,7 +244,7 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     class App(Ended):
         def __init__(self, session, settings):
             super().__init__(session, settings)
-            self.ending.anew = len(built) == 1
+            self.ending.anew = 1 if len(built) == 1 else None
             pages.append(settings.first_page)
 
     def build(options, paths):
@@ -257,6 +261,34 @@ def test_another_dish_chosen_in_the_setup_begins_the_app_anew_over_the_old_flags
     assert pages == ["dashboard", "setup"], "it goes on where the other dish was chosen"
     assert [session.closed for session in sessions] == [1, 1]
     assert capsys.readouterr().out.count("The dish's position is") == 1
+
+
+def test_another_dish_chosen_in_the_setup_of_the_second_one_shows_that_and_keeps_the_flags_of_the_first(monkeypatch):
+    clock, built, seen = stand_in.VirtualClock(), [], []
+
+    class App(BirdcageApp):
+        def run(self):
+            seen.append((self.dishes.number, [dish.settings.first_page for dish in self.dishes.all]))
+            if len(seen) == 1:
+                self.take_next()
+                self.begin_anew()
+            else:
+                self.leave()
+
+    def build(options, paths, clock_given=None, number=1):
+        second = paths.config_file.with_name("second.toml")
+        second.parent.mkdir(parents=True, exist_ok=True)
+        second.write_text('[dish]\nfirmware = "hal205"\n')  # as its setup keeps it
+        built.append((number, options.firmware, options.baud))
+        return stand_in.Session(stand_in.at_rest(clock), clock), AppOptions(), None
+
+    monkeypatch.setattr(run, "BirdcageApp", App)
+    monkeypatch.setattr(run, "_build", build)
+    words = ["--demo", "--firmware", "g2", "--baud", "115200", "--also", "hal000"]
+    assert run.run(main.parser().parse_args(words)) == 0
+    first = (1, "g2", 115200)
+    assert built == [first, (2, "hal000", None), first, (2, "hal205", None)]
+    assert seen == [(1, ["dashboard", "dashboard"]), (2, ["dashboard", "setup"])]
 
 
 def test_nothing_of_setup_catalogue_or_sky_is_loaded_to_build_the_app(tmp_path):

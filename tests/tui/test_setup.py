@@ -376,9 +376,9 @@ def test_enter_in_a_field_that_may_stay_empty_sends_what_was_typed_before_it():
 
 def test_another_firmware_that_was_chosen_ends_the_app_so_that_it_begins_anew():
     async def chosen(app, pilot, engine):
-        assert not app.ending.anew
+        assert app.ending.anew is None
         engine.begin_anew = "hal205"
         await settle(app, pilot)
         return app.ending.anew, app._exit, app.station.stops
 
-    assert run(chosen) == (True, True, [])
+    assert run(chosen) == (1, True, [])

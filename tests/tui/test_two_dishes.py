@@ -73,6 +73,20 @@ def test_each_dish_has_a_row_and_the_key_shows_the_other():
     run(look)
 
 
+def test_the_second_can_be_the_first_that_is_shown():
+    async def body():
+        app = two()
+        app.begin_with(2)
+        async with app.run_test(size=(80, 24)) as pilot:
+            await pilot.pause()
+            await pilot.pause()
+            app.paint()
+            await pilot.pause()
+            return [row[:4] for row in rows(app)[:2]], app.station is stations(app)[1]
+
+    assert asyncio.run(body()) == ([" 2 T", " 1 G"], True)
+
+
 @pytest.mark.parametrize("key", ["space", "ctrl+c"])
 def test_stop_reaches_both(key):
     async def stop(app, pilot):

@@ -18,7 +18,6 @@ from birdcage.base.config import Settings, load
 from birdcage.base.config.edit import edit
 from birdcage.base.errors import BirdcageError
 from birdcage.base.log_output import LogOutput
-from birdcage.base.machine_port import port_of
 from birdcage.base.paths import Paths, throw_away_paths
 from birdcage.base.second_dish import second_dish
 from birdcage.base.signals import SignalListener
@@ -35,6 +34,7 @@ from birdcage.station.known import list_firmwares, list_ports
 from birdcage.station.services import Services
 from birdcage.station.session import Session
 
+from birdcage_tui.chosen_dish import second_demo_paths, take_chosen
 from birdcage_tui.demo import DEMO_DELAY_S, DEMO_FIRMWARE, DEMO_PARK, DEMO_PLACE, demo_port, name_demo, remember_demo
 from birdcage_tui.drawing.glyphs import fitting
 from birdcage_tui.drawing.terminal_cells import ASPECT
@@ -80,17 +80,12 @@ def run(options: argparse.Namespace) -> int:
             paths = _paths(options, stack)
         except BirdcageError as wrong:
             return _complain(wrong)
-        anew = False
+        anew: int | None = None
         while True:
-            status = _run_once(options, paths, signals, anew=anew)
-            if status is not None:
+            status, anew = _run_once(options, paths, signals, anew=anew)
+            if anew is None:
                 return signals.status(status)
-            anew = True
-            # A person has chosen another firmware in the setup, which has kept it: that counts over flag and variable.
-            # For a second dish its own file says it anyway.
-            kept = load(paths.config_file, environ={}).dish
-            options.firmware, options.baud = kept.firmware, None
-            options.port = port_of(kept.firmware or "", options.port, kept.port)
+            take_chosen(options, paths, anew)
 
 
 def _complain(wrong: BirdcageError) -> int:
@@ -98,19 +93,25 @@ def _complain(wrong: BirdcageError) -> int:
     return EXIT_ERROR
 
 
-def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener, *, anew: bool) -> int | None:
-    """Run the app over one session. Return the exit status; None when it is to begin again.
+def _run_once(
+    options: argparse.Namespace, paths: Paths, signals: SignalListener, *, anew: int | None
+) -> tuple[int, int | None]:
+    """Run the app over one session of each dish. Return the exit status, and which dish it is to begin again with.
 
-    `anew`: another firmware was chosen in the setup, which goes on there.
+    `anew`: another firmware was chosen in the setup of this dish, from 1, which goes on there.
     """
     with ExitStack() as stack:
         try:
             built = _build_all(options, paths)
         except BirdcageError as wrong:
-            return _complain(wrong)
-        (session, settings, _), *rest = built
-        also = [(each, its_settings) for each, its_settings, _ in rest]
-        app = BirdcageApp(session, replace(settings, first_page="setup") if anew else settings, *also)
+            return _complain(wrong), None
+        (session, settings), *also = (
+            (each, replace(its, first_page="setup") if number == anew else its)
+            for number, (each, its, _) in enumerate(built, 1)
+        )
+        app = BirdcageApp(session, settings, *also)
+        if anew is not None:
+            app.begin_with(anew)
         for each, its_settings, services in built:
             _serve(each, its_settings, services, owners_folder(paths), stack, demo=options.demo)
         app.ending.take_signal = signals.take
@@ -120,10 +121,10 @@ def _run_once(options: argparse.Namespace, paths: Paths, signals: SignalListener
         finally:
             signals.leave(QUIT_S)
             farewell = _finish(app)
-        if app.ending.anew and signals.number is None:
-            return None
+        if app.ending.anew is not None and signals.number is None:
+            return 0, app.ending.anew
         say_last(farewell)
-        return _status(app)
+        return _status(app), None
 
 
 def _serve(
@@ -200,7 +201,7 @@ def _build_all(options: argparse.Namespace, paths: Paths) -> list[Built]:
     its = argparse.Namespace(**{**vars(options), "port": None, "firmware": None, "baud": None})
     if options.demo:
         its.firmware = options.also
-        own = paths.with_config(paths.config_file.with_name("second.toml"))
+        own = second_demo_paths(paths)
     else:
         its.config = options.also
         own, _ = second_dish(paths, options.also, first[0].station.state.port)

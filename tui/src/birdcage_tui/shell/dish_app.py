@@ -47,6 +47,11 @@ class DishApp(App[None]):
         self.dishes = Dishes(self, given)
         self._take_up()
 
+    def begin_with(self, number: int) -> None:
+        """Have everything be about this dish, from 1, with the first frame; before the app runs."""
+        self.dishes.begin_with(number)
+        self._take_up()
+
     def take_next(self) -> None:
         """Have everything be about the next dish, and draw that."""
         self.dishes.take_next()

@@ -30,10 +30,20 @@ class Dishes:
         return len(self.all) > 1
 
     @property
+    def number(self) -> int:
+        """Which one is shown, from 1."""
+        return self.all.index(self.shown) + 1
+
+    @property
     def rest(self) -> tuple[OneDish, ...]:
         """Those that are not seen on the pages, in their order from the one that is seen."""
         at = self.all.index(self.shown)
         return (*self.all[at + 1 :], *self.all[:at])
+
+    def begin_with(self, number: int) -> None:
+        """Show this one, from 1, with the first frame; before the app runs."""
+        first, self.shown = self.shown, self.all[number - 1]
+        self.shown.settings = self.shown.settings.like(first.settings)
 
     def begin(self) -> None:
         """Begin all their sessions and feeds; after the first frame."""

@@ -29,16 +29,16 @@ class Ending:
 
     def __init__(self, app: App[None], host: EndingHost) -> None:
         self._app, self._host = app, host
-        self.anew = False
-        """Whether the app is to begin again at once, with another session."""
+        self.anew: int | None = None
+        """Which dish, from 1, was found to be another one: the app begins again at once, with another session."""
         self.number: int | None = None
         """The signal that ends the app."""
         self.take_signal: Callable[[int], object] | None = None
         """Ends the app as that signal does, and its process if the app does not end; `run` sets it."""
 
     def begin_anew(self) -> None:
-        """End, and begin again with the settings as they are then: the dish is another one than was thought."""
-        self.anew = True
+        """End, and begin again with the settings as they are then: the dish that is shown is another one."""
+        self.anew = self._host.dishes.number
         self.leave()
 
     def leave(self, by: str = YOU, status: int = 0) -> None:
