@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from birdcage.base.clock import VirtualClock
-from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, Held, NoReply, PositionUnknown, Stopped
 from birdcage.link.link import Link
 from birdcage.protocol.g2plus import CarryoutG2PlusProtocol
 from birdcage.protocol.pathway_x2 import PathwayX2Protocol
@@ -119,6 +119,50 @@ def test_a_line_that_is_not_answered_is_a_silence():
     bench.dish.begin_slew(120.0, 40.0, None)
     with pytest.raises(NoReply, match=r"did not answer `a 0 120\.00`"):
         bench.over(10.0)
+
+
+@pytest.mark.parametrize(("make", "address"), [
+    (CarryoutG2PlusProtocol, "g2plus?seed=1&bare_a=error"), (PathwayX2Protocol, "pathway-x2?seed=1&lag_max_s=0"),
+])  # fmt: skip
+@pytest.mark.parametrize("error", [Stopped, Held])
+def test_stop_between_both_axes_keeps_the_second_from_going_out(make, address, error):
+    bench, asked = Bench(make(), address), []
+
+    def permit():
+        asked.append(len(asked))
+        if len(asked) == 2:
+            raise error("STOP is latched: the motion was not sent.")
+
+    bench.dish.meet()
+    bench.dish.permit = permit
+    with pytest.raises(Stopped, match="the azimuth was sent, the elevation was not") as stopped:
+        bench.dish.begin_slew(120.0, 40.0, None)
+    assert stopped.value.reason == "half_sent"
+    bench.clock.advance(20.0)
+    assert [line for line in bench.lines() if line.startswith("a ")] == ["a 0 120.00"]
+
+
+def test_an_x2_that_was_sent_one_axis_alone_is_timed_from_the_farthest_end_the_next_time():
+    bench = Bench(PathwayX2Protocol(), "pathway-x2?seed=1&lag_max_s=0")
+    bench.dish.meet()
+    bench.dish.begin_slew(120.0, 40.0, None)
+    bench.over(120.0)
+    permits = iter([lambda: None, raising(Stopped("STOP is latched."))])
+    bench.dish.permit = lambda: next(permits)()
+    with pytest.raises(Stopped):
+        bench.dish.begin_slew(130.0, 45.0, None)
+    bench.dish.slew_is_over()
+    bench.dish.permit = None
+    begun = bench.clock.monotonic()
+    bench.dish.begin_slew(131.0, 45.0, None)
+    assert bench.over(120.0) - begun > 30.0 + 360.0 / 10.0
+
+
+def raising(error):
+    def deed():
+        raise error
+
+    return deed
 
 
 @pytest.mark.parametrize("ack", ["executed", "at_once"])

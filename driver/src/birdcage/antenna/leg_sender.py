@@ -53,7 +53,7 @@ class LegSender:
     def send(self, leg: Leg) -> None:
         """Send one leg; returns when the dish has taken it, or as soon as it is sent if it is silent.
 
-        Stopped, CommandRefused and MotionRefused: nothing of it moves.
+        Stopped, CommandRefused and MotionRefused: nothing of it moves, but after `half_sent`.
         """
         antenna, rotator = self._antenna, self._antenna.rotator
         now, known = rotator.clock.monotonic(), antenna.gate.position

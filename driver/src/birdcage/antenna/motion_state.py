@@ -49,7 +49,8 @@ class MotionState:
     def begin(self, planned: DishMotion) -> Iterator[DishMotion | None]:
         """Model a motion while its lines go out, and yield the one before.
 
-        What was modelled before comes back if the machine takes none of them.
+        What was modelled before comes back if the machine takes none of them. Once a part has gone out (`half_sent`),
+        the motion stays: it is STOP's to follow.
         """
         taken = self.taken
         # Before the first byte: a STOP that comes after that byte must know what to stop.
@@ -59,7 +60,7 @@ class MotionState:
         try:
             yield before
         except (Stopped, CommandRefused, MotionRefused, Held) as error:
-            if self.taken == taken and error.reason is not Reason.CLOSING:
+            if self.taken == taken and error.reason not in (Reason.CLOSING, Reason.HALF_SENT):
                 self.take_back(planned, before)
             raise
         finally:

@@ -57,6 +57,8 @@ class Reason(StrEnum):
     """The machine, or this way of reaching it, cannot do that."""
     OUT_OF_RANGE = "out_of_range"
     """A value lies outside the range of what it was meant for."""
+    HALF_SENT = "half_sent"
+    """STOP came between the lines of one move: some axes were sent, others not."""
     NOT_TAKEN = "not_taken"
     """The machine answered with nothing, or with what is not known, and did not move."""
 

@@ -276,10 +276,10 @@ class FirmwareProtocol(ABC):
         return ()
 
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002
-        """Send all axes at once in the way that any byte aborts; returns as soon as it is sent.
+        """Send all axes in one go, and return as soon as that is sent.
 
-        Until `slew_is_over` nothing else may be sent, but what aborts it. CommandRefused (`unsupported`) on a firmware
-        without such a move, or where it needs a skew and None is known.
+        Until `slew_is_over` nothing else may be sent, but what ends it, if anything does (`Facts.stop_ladder`).
+        CommandRefused (`unsupported`) on a firmware without such a move, or where it needs a skew and None is known.
         """
         raise self._lacks(f"a combined move to {az_deg:.2f}°/{el_deg:.2f}°")
 

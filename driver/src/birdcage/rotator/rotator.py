@@ -145,9 +145,10 @@ class Rotator(Protocol):
         """
 
     def begin_slew(self, to: Mapping[str, float]) -> None:
-        """Send all axes at once, in the way that any byte ends; returns as soon as it is sent.
+        """Send all axes in one go, and return as soon as that is sent.
 
-        An axis whose angle is not known is missing. Until `slew_is_over` nothing else may be sent, but what ends it.
+        An axis whose angle is not known is missing. Until `slew_is_over` nothing else may be sent, but what ends it, if
+        anything does (`Facts.stop_ladder`). Stopped (`half_sent`): STOP came when a part of it had gone out.
         """
 
     def slew_is_over(self) -> bool:

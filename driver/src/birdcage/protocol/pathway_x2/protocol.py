@@ -39,25 +39,28 @@ class PathwayX2Protocol(TrkKin):
 
     _stands: tuple[float, float] | None = None
     """Where its last move should have ended; None where that is not known."""
-    _goes: tuple[float, float] = (0.0, 0.0)
+    _goes: tuple[float, float] | None = None
+    """Where its last move leads; None unless both axes were sent."""
     _over_at: float = -math.inf
     """When both axes have reached where they go, at the latest."""
 
     def attach(self, link: Link, clock: Clock, **hooks: Unpack[SessionHooks]) -> None:
         """Speak over an open link: where it stands is not known."""
         super().attach(link, clock, **hooks)
-        self._stands, self._over_at = None, -math.inf
+        self._stands = self._goes = None
+        self._over_at = -math.inf
 
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:
         """Send both axes as `TrkKin`. They may begin to move only with their answers, up to 15 s later each."""
         stands, goes, axes = self._stands, (az_deg, el_deg), (self.model.azimuth, self.model.elevation)
-        self._stands, self._goes = None, goes
+        self._stands = self._goes = None
         # From an unknown place the way is the longest. Across north it may go the other way round.
         ways = tuple(axis.max_deg - axis.min_deg for axis in axes)
         if stands is not None:
             ways = tuple(abs(there - here) for here, there in zip(stands, goes, strict=True))
         times_s = [self.lag_s + way_s(axis, way_deg) for axis, way_deg in zip(axes, ways, strict=True)]
         super().begin_slew(az_deg, el_deg, skew_deg)
+        self._goes = goes
         self._over_at = self.clock.monotonic() + sum(times_s) / self.clock.rate
 
     def slew_is_over(self) -> bool:

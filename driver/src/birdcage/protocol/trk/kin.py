@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar, Unpack
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, NoReply, PositionUnknown
+from birdcage.base.errors import CommandRefused, Held, NoReply, PositionUnknown, Stopped
 from birdcage.base.reason import Reason
 from birdcage.console.raw import Typed
 from birdcage.console.session_hooks import SessionHooks
@@ -89,24 +89,35 @@ class TrkKin(TrkProtocol):
     def begin_slew(self, az_deg: float, el_deg: float, skew_deg: float | None) -> None:  # noqa: ARG002 - it has none
         """Send both axes, one command behind the other, and return at once: it does not tell when it has arrived.
 
-        The second waits in the dish until the first was taken.
+        The second waits in the dish until the first was taken. Stopped (`half_sent`) where STOP came between both: the
+        first has gone out, so where the dish points is not known.
         """
         self._check_range(MOTOR_AZIMUTH, az_deg)
         self._check_range(MOTOR_ELEVATION, el_deg)
         self.enter_motor_menu()
-        sent: list[_Sent] = []
-        for motor, degrees in ((MOTOR_AZIMUTH, az_deg), (MOTOR_ELEVATION, el_deg)):
-            if self.blank_lines:
-                self.console.type_line("", takes_s=self.lag_s * len(sent))
-            line = f"a {motor} {angle_text(degrees)}"
-            # Once the first has gone, both have to: half of a direction is none.
-            permit = None if sent else self.permit
-            sent.append(
-                _Sent(motor, degrees, self.console.type_line(line, takes_s=(len(sent) + 1) * self.lag_s, permit=permit))
-            )
+        self._sent = ()
+        first = self._send_axis(MOTOR_AZIMUTH, az_deg, before=0)
+        try:
+            second = self._send_axis(MOTOR_ELEVATION, el_deg, before=1)
+        except (Stopped, Held) as stopped:
+            if stopped.reason is Reason.CLOSING:
+                raise
+            raise Stopped(
+                "STOP came between both axes: the azimuth was sent, the elevation was not. "
+                "Where the dish points is not known.",
+                reason=Reason.HALF_SENT,
+            ) from stopped
         if self.blank_lines:
-            self.console.type_line("", takes_s=self.lag_s * len(sent))
-        self._sent = tuple(sent)
+            self.console.type_line("", takes_s=2 * self.lag_s)
+        self._sent = first, second
+
+    def _send_axis(self, motor: int, degrees: float, before: int) -> _Sent:
+        """Send one axis, of which so many commands go before."""
+        if self.blank_lines:
+            self.console.type_line("", takes_s=before * self.lag_s)
+        line = f"a {motor} {angle_text(degrees)}"
+        typed = self.console.type_line(line, takes_s=(before + 1) * self.lag_s, permit=self.permit)
+        return _Sent(motor, degrees, typed)
 
     def slew_is_over(self) -> bool:
         """Return whether both commands were answered. CommandRefused, once, when the dish refused both.
