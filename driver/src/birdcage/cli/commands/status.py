@@ -2,12 +2,25 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from birdcage.cli import exits
 from birdcage.cli.options import Wanted, flags, global_options, wanted
+
+if TYPE_CHECKING:
+    from birdcage.base.errors import BirdcageError
+    from birdcage.station.control_client import Owner
+
+    Found = tuple[dict[str, Any], BirdcageError | None]
+    """What is known of a dish, and why that is nothing."""
+
+BY = "birdcage status"
+NAMING = ("flag", "environment")
+"""Where a port that is named means one dish; a port in the settings says only which is usually meant."""
 
 
 @click.command("status", epilog=exits.EPILOG)
@@ -15,34 +28,90 @@ from birdcage.cli.options import Wanted, flags, global_options, wanted
 @global_options()
 @click.pass_context
 def command(context: click.Context, quick: bool) -> None:
-    """Print the state of the dish.
+    """Print the state of the dish, or of each where birdcage programs drive several.
 
-    If another birdcage program has the port, that one is asked. What is not known is a dash, or null in JSON.
+    If another birdcage program has the port, that one is asked. --port, BIRDCAGE_PORT and --config mean that dish
+    alone. With --json each dish is one line. What is not known is a dash, or null in JSON.
     """
-    from birdcage.base.errors import LinkError, NoReply
-    from birdcage.cli.owners import ask_owner
     from birdcage.cli.say import say, tell, tell_json
-    from birdcage.station.control_messages import TellStatus
 
-    dish, trouble = wanted(), None
-    answer = ask_owner(dish, TellStatus(), "birdcage status")
-    if answer is not None:
-        port, told = answer
-        status = told | {"port": port}
-    else:
-        try:
-            status = _look(dish, quick=quick)
-        except (LinkError, NoReply) as error:
-            trouble, status = error, _unknown(dish)
-    status["wear"] = _wear(dish, status["firmware"], demo=bool(status["demo"]))
-    if flags().json:
-        tell_json(status)
-    else:
+    dish = wanted()
+    found = _elsewhere(dish)
+    if dish.port_given or not found or _has_owner(dish):
+        found.insert(0, _usual(dish, quick=quick))
+    for number, (status, _) in enumerate(found):
+        status["wear"] = _wear(dish, status["firmware"], demo=bool(status["demo"]))
+        if flags().json:
+            tell_json(status)
+            continue
+        if len(found) > 1:
+            tell(("\n" if number else "") + _name(status))
         for name, value in status.items():
             tell(f"{name:24} {_shown(value)}")
-    if trouble is not None:
+    troubles = [trouble for _, trouble in found if trouble is not None]
+    for trouble in troubles:
         say(str(trouble))
-        context.exit(exits.code_of(trouble))
+    if troubles:
+        context.exit(exits.code_of(troubles[0]))
+
+
+def _usual(dish: Wanted, *, quick: bool) -> Found:
+    """Return the state of the dish that is wanted, by the program that has its port, or else by itself."""
+    from birdcage.base.errors import LinkError, NoReply
+    from birdcage.cli.owners import ask_owner
+    from birdcage.station.control_messages import TellStatus
+
+    answer = ask_owner(dish, TellStatus(), BY)
+    if answer is not None:
+        port, told = answer
+        return told | {"port": port}, None
+    try:
+        return _look(dish, quick=quick), None
+    except (LinkError, NoReply) as error:
+        return _unknown(dish), error
+
+
+def _elsewhere(dish: Wanted) -> list[Found]:
+    """Return the states of the dishes that birdcage programs drive at other ports; none where one dish was named."""
+    from birdcage.cli.owners import owners_of, ring_all
+
+    if dish.settings.sources.get("dish.port") in NAMING or flags().get("config") is not None:
+        return []
+    own = owners_of(replace(dish, port_given=True))
+    others = [owner for owner in owners_of(replace(dish, port_given=False)) if owner not in own]
+    return [found for found in ring_all(others, partial(_ask, dish)) if found is not None]
+
+
+def _has_owner(dish: Wanted) -> bool:
+    from birdcage.cli.owners import owners_of
+
+    return bool(owners_of(replace(dish, port_given=True)))
+
+
+def _ask(dish: Wanted, owner: Owner) -> Found | None:
+    """Ask one program; None where it has ended."""
+    from birdcage.base.errors import BirdcageError, NoReply
+    from birdcage.station.control_client import NoAnswer, OwnerGone, call_owner
+    from birdcage.station.control_messages import TellStatus
+
+    unknown = replace(dish, port=owner.port, firmware_given=False)
+    try:
+        told: dict[str, Any] = call_owner(owner, TellStatus(), BY)
+    except OwnerGone:
+        return None
+    except NoAnswer as error:
+        return _unknown(unknown), NoReply(f"{error}.")
+    except BirdcageError as error:  # another version, say: that keeps no other dish from being shown
+        return _unknown(unknown), error
+    return told | {"port": owner.port}, None
+
+
+def _name(status: dict[str, Any]) -> str:
+    """Return what tells one dish from another: `Trav'ler at /dev/ttyUSB1`."""
+    from birdcage.station.known import model_of
+
+    model = model_of(status["firmware"])
+    return f"{'A dish' if model is None else model.name} at {status['port']}"
 
 
 def _look(wanted: Wanted, *, quick: bool) -> dict[str, Any]:
