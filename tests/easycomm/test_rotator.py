@@ -3,10 +3,19 @@
 from __future__ import annotations
 
 import pytest
-from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, Held, MotionRefused, PositionUnknown
+from birdcage.base.errors import (
+    BirdcageError,
+    CommandRefused,
+    ConfirmationNeeded,
+    Held,
+    MotionRefused,
+    NoReply,
+    PositionUnknown,
+)
 from birdcage.easycomm.facts import FACTS, RP2040_FACTS, STOCK_FACTS
+from birdcage.easycomm.kinds import kind_of
 from birdcage.rotator.verdict import Grade
-from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Raw, Read, Release, Set, Sync
+from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Raw, Read, Release, Set, Sync, Watch
 from birdcage.station.state import Activity
 from birdcage.testing import MachineBench, Stage
 
@@ -149,11 +158,41 @@ def test_the_stock_firmware_homes_both_axes_by_one_reset():
         assert stage.stands_at(30.0, 20.0)
 
 
+def test_each_home_homes_both_axes_anew():
+    with met(STOCK) as stage:
+        for count in (1, 2):
+            stage.do(Home("you"), 300.0)
+            assert lines(stage).count("RESET") == count
+            assert stage.state.homed is True
+
+
 def test_a_switch_that_is_not_found_is_a_fault_that_says_so():
     with met(f"{STOCK}&home_fails=1") as stage:
         error = stage.refused(Home("you"), BirdcageError, within_s=300.0)
         assert "GE4" in str(error)
         assert stage.state.fault is not None
+
+
+def test_no_position_is_told_while_the_stock_firmware_says_that_it_did_not_find_its_switches():
+    stage = Stage(MachineBench("easycomm", rotator("&kind=stock&boot=1&home_fails=1"), stops=()))
+    stage.until(lambda: stage.state.surveyed, 200.0, "it was met")
+    stage.step(2.0)
+    assert stage.state.position is None
+    assert stage.state.position_lost == "unhomed"
+    assert "switch it off and on" in str(stage.refused(Goto(90.0, 30.0, "you"), PositionUnknown))
+    assert sets(stage) == []
+    stage.do(Watch("you", frozenset({"position"})))
+    stage.step(3.0)
+    assert stage.state.position is None, "however often it is asked"
+    stage.twin.device.firmware.board.error = 1
+    stage.until(lambda: stage.state.position is not None, 10.0, "it says that all is well")
+
+
+def test_a_firmware_that_nobody_knows_has_to_be_told_where_it_points():
+    """A fork of the RP2040's counts from where it pointed at power-up, too."""
+    assert kind_of("SatNOGS-Pico-v1").facts.zero_at_power_up == ("azimuth",)
+    assert "birdcage sync" in kind_of("SatNOGS-Pico-v1").facts.no_homing
+    assert kind_of("SatNOGS-v2.2").facts.zero_at_power_up == ()
 
 
 def test_an_axis_whose_target_is_not_known_is_named_where_it_stands():
@@ -175,6 +214,22 @@ def test_an_axis_whose_target_is_not_known_is_named_where_it_stands():
         stage.do(Jog(1.0, 0.0, "you"))
         assert len(sets(stage)[-1].split()) == 2
         assert abs(stage.truth.el_deg - 32.0) > 1.0, "it stays where the duty has brought it"
+
+
+def test_what_a_person_types_after_stop_voids_where_stop_has_aimed_an_axis():
+    with met(RP2040) as stage:
+        stage.station.submit(Goto(100.0, 30.0, "you"))
+        stage.step(0.5)
+        stage.station.stop("you")
+        stage.step(5.0)
+        stage.do(Release("you"))
+        stage.do(Raw("DUTY_EL0.2", "you", Grade.MOVES), 60.0)
+        stage.step(1.0)
+        stage.do(Raw("DUTY_EL0", "you", Grade.MOVES), 60.0)
+        stage.until(lambda: stage.is_found and stage.state.activity is Activity.IDLE, 60.0, "it was seen at rest")
+        stage.do(Jog(1.0, 0.0, "you"))
+        assert len(sets(stage)[-1].split()) == 2, "the elevation has another target than the one it stands at"
+        assert stage.truth.el_deg > 31.0
 
 
 def test_stop_is_the_rotators_own_command_and_leaves_at_once():
@@ -235,6 +290,16 @@ def test_zero_counts_from_here_moves_nothing_and_has_to_be_told_anew():
         assert stage.twin.device.dish.az.ticks(stage.twin.device.machine.dish_s) == 0
         assert stage.state.position_lost == "unsynced"
         stage.refused(Goto(100.0, 30.0, "you"), BirdcageError)
+
+
+def test_a_zero_whose_answer_is_lost_has_to_be_told_anew_all_the_same():
+    with met(RP2040) as stage:
+        board = stage.twin.device.firmware.board
+        zero = board._words["ZERO"]
+        board._words["ZERO"] = lambda: zero() and ""
+        stage.refused(Set("zero", True, "you", agreed=True), NoReply)
+        stage.step(1.0)
+        assert stage.state.position_lost == "unsynced"
 
 
 def test_a_zero_that_a_person_types_has_to_be_told_anew_too():

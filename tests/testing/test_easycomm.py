@@ -74,6 +74,7 @@ GOLDENS = (
             (b"VE\n", b"VESatNOGS-v2.2\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
+            (b"GE\n", b"GE1\n"),
             (b"AZ EL\n", b"AZ10.0 EL20.0\n"),
             (b"AZ60.00 EL20.00\n", b""),
             (b"AZ EL\n", b"AZ10.4 EL20.0\n"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 from birdcage.easycomm.facts import RP2040_FACTS, STOCK_FACTS
-from birdcage.easycomm.wire import SAFE_QUERY, SAFE_STOP
+from birdcage.easycomm.wire import AZIMUTH, SAFE_QUERY, SAFE_STOP
 from birdcage.rotator.facts import Facts
 
 
@@ -30,8 +30,10 @@ class EasycommKind:
 # `EL` and not `AZ`: with its first byte lost on the way, `AZ` is the RP2040's short word for `ZERO`.
 RP2040 = EasycommKind(RP2040_FACTS, "EL", "STOP", names_both=False, decimals=2, stop_snaps=True)
 STOCK = EasycommKind(STOCK_FACTS, decimals=2, homes=True)
-OTHER = EasycommKind(replace(STOCK_FACTS, features={}, homing_s=None, never_homes=True))
-"""Any other: it is asked and told only what all of them understand."""
+OTHER = EasycommKind(
+    replace(STOCK_FACTS, features={}, homing_s=None, never_homes=True, zero_at_power_up=(AZIMUTH,)),
+)
+"""Any other: it is asked and told only what all of them understand, and does not know by itself where it points."""
 
 
 def kind_of(version: str) -> EasycommKind:

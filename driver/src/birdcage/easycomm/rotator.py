@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 
 from birdcage.base.clock import Clock
-from birdcage.base.errors import CommandRefused, LinkError, NoReply
+from birdcage.base.errors import CommandRefused, LinkError, NoReply, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
 from birdcage.console.line_session import LineSession
@@ -50,6 +50,8 @@ VERSION_S = 1.0
 """How long a firmware may take to tell its version; one that does not know the question is silent."""
 SENSIBLE_DEG = {AZIMUTH: 1000.0, ELEVATION: 400.0}
 """An angle beyond is a damaged line."""
+NO_ERROR, NOT_FOUND = "1", "4"
+"""What `GE` of the stock firmware tells of its homing."""
 
 
 class EasycommRotator(PlainRotator):
@@ -80,8 +82,10 @@ class EasycommRotator(PlainRotator):
         self._in_force: dict[str, float | None] = {}
         """What the firmware's target of an axis is known to be; None: where it stands since STOP."""
         self._version = ""
-        self._homed = False
-        """Whether `RESET` has found both switches, and nothing was sent since."""
+        self._found: set[str] = set()
+        """Axes whose switch the last `RESET` has found, nothing was sent since, and `home` was not asked for yet."""
+        self._is_lost = False
+        """Whether it said last that it did not find its switches."""
 
     @property
     def is_open(self) -> bool:
@@ -131,6 +135,7 @@ class EasycommRotator(PlainRotator):
         if self.ask(self._query, TOLD)[1] is None and self.ask(self._query, TOLD)[1] is None:
             self._query = SAFE_QUERY  # it answers each axis by itself, and that was no damage
         self._read_position()
+        self._is_lost = self.kind.homes and self._error() == NOT_FOUND
         self._is_met = True
         self.facts = self.kind.facts
         self._hooks.on_facts(self.facts)
@@ -155,8 +160,18 @@ class EasycommRotator(PlainRotator):
         return Survey(features={VERSION_FEATURE: self._version} if self._version else {})
 
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002 - each is answered at once
-        """See `Rotator`: as it counts. Where its zero points a person tells (`Facts.zero_at_power_up`)."""
+        """See `Rotator`: as it counts. Where its zero points a person tells (`Facts.zero_at_power_up`).
+
+        PositionUnknown (`unhomed`) while it says that it did not find its switches: it then counts from anywhere.
+        """
+        if self._is_lost and (code := self._error()) == NOT_FOUND:
+            raise PositionUnknown(_lost(code), reason=Reason.UNHOMED)
+        self._is_lost = False
         return Look(self._read_position())
+
+    def _error(self, within_s: float | None = None) -> str:
+        """Ask for the code of its error."""
+        return self.ask("GE", r"GE(\d+)", within_s=within_s)[1]
 
     def _read_position(self) -> dict[str, float]:
         """Ask once where it is by its own count."""
@@ -199,7 +214,8 @@ class EasycommRotator(PlainRotator):
         A number behind AZ or EL ends manual mode on both axes: an axis whose target is not known to be ours is sent
         where it stands.
         """
-        angles, self._homed = dict(to) | self._others(to), False
+        angles = dict(to) | self._others(to)
+        self._found.clear()
         self.session.send(set_line(angles, self.kind.decimals), self._hooks.permit)
         self._in_force |= angles
         return Taken(sure=True, said=self.ask(self._query, TOLD)[0], took_s=self.line.took_s)
@@ -218,8 +234,9 @@ class EasycommRotator(PlainRotator):
         return {axis: known[axis] for axis in others}
 
     def _forget(self) -> None:
-        """Count on no target any more: somebody else may have set another."""
-        self._in_force, self._homed = {}, False
+        """Count on no target any more, nor on that of a STOP before: somebody else may have set another."""
+        self._in_force, self._stopped = {}, False
+        self._found.clear()
 
     def _recounted(self) -> None:
         self._forget()
@@ -277,21 +294,24 @@ class EasycommRotator(PlainRotator):
         """
         if not self.kind.homes:
             raise self._lacks("homing")
-        if not self._homed:
-            self.ask("RESET", POSITION, permit=self._hooks.permit)
-            self._in_force = dict.fromkeys(AXIS_WORDS, 0.0)
-        code = self.ask("GE", r"GE(\d+)", within_s=STOCK_HOMING_S)[1]  # it reads nothing before it has homed
-        if code != "1":
+        if axis in self._found:
+            self._found.discard(axis)
+            return
+        self._forget()
+        self.ask("RESET", POSITION, permit=self._hooks.permit)
+        code = self._error(STOCK_HOMING_S)  # it reads nothing before it has homed
+        self._is_lost = code == NOT_FOUND
+        if code != NO_ERROR:
             raise CommandRefused(
-                f"The rotator did not find its switches (GE{code}). Only its power clears that: switch it off and on.",
-                reason=Reason.FAILED, trouble=MotorTrouble(axis, homing=True, said=f"GE{code}"),
-            )  # fmt: skip
-        self._homed = True
+                _lost(code), reason=Reason.FAILED, trouble=MotorTrouble(axis, homing=True, said=f"GE{code}")
+            )
+        self._in_force = dict.fromkeys(AXIS_WORDS, 0.0)
+        self._found = set(AXIS_WORDS) - {axis}
 
     def recalibrate(self) -> None:
         """Take the elevation from the accelerometer (`RECAL`). CommandRefused where there is none."""
+        self._forget()  # whatever comes of its answer
         told = self.ask("RECAL", RECALIBRATED)
-        self._forget()
         if told[1] is None:
             raise CommandRefused(
                 "No accelerometer is fitted, so the elevation was not changed.", reason=Reason.UNSUPPORTED
@@ -300,11 +320,22 @@ class EasycommRotator(PlainRotator):
     def zero(self) -> None:
         """Count both encoders from here (`ZERO`), with the loop off: it would go on to its targets.
 
-        Raises as `ask`.
+        Raises as `ask`. What a person has told of its zero is void as soon as the line is written: its answer may be
+        lost.
         """
+        self._forget()
         for name in ("AZ", "EL"):
             self.ask(f"DUTY_{name}0", rf"{name} duty=.*")
-        self.ask("ZERO", ZEROED)
-        self._recounted()
+        try:
+            self.ask("ZERO", ZEROED)
+        finally:
+            self._recounted()
         self._read_position()  # the loop has read the new counts before it answers
         self.ask(self.kind.stop, POSITION)
+
+
+def _lost(code: str) -> str:
+    return (
+        f"The rotator did not find its switches (GE{code}), so it does not know where it points. Only its power clears "
+        "that: switch it off and on."
+    )
