@@ -7,9 +7,11 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import CommandRefused, Held, NoReply, PositionUnknown, Stopped
 from birdcage.link.link import Link
 from birdcage.protocol.g2plus import CarryoutG2PlusProtocol
+from birdcage.protocol.menu_raw import MenuRaw
 from birdcage.protocol.pathway_x2 import PathwayX2Protocol
 from birdcage.protocol.trk.answers import ANGLE
 from birdcage.rotator.facts import Readback
+from birdcage.rotator.verdict import Grade
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sim.trk.nvram import NvramSetting
 
@@ -57,6 +59,30 @@ def test_the_first_look_tells_whether_it_tells_where_it_is(bare, readback):
         bench.dish.home_motor(1)
         bench.dish.meet()
         assert bench.lines().count("a") > asked, "after homing it may tell"
+
+
+@pytest.mark.parametrize(("line", "more"), [("h *", 2), ("home", 2), ("a 0 90.00", 0)])
+def test_it_is_asked_again_after_a_person_has_homed_it(line, more):
+    bench = g2plus("&bare_a=error")
+    bench.dish.meet()
+    asked = bench.lines().count("a")
+    typed = MenuRaw(bench.dish).type_line(line, "mot", takes_s=30.0, confirmed=Grade.MOVES, permit=lambda: None)
+    assert typed.wait(32.0) is not None
+    bench.dish.meet()
+    assert bench.lines().count("a") == asked + more
+
+
+def test_it_is_asked_again_where_the_answer_to_its_homing_was_lost():
+    bench = g2plus("&bare_a=error")
+    bench.dish.meet()
+    asked = bench.lines().count("a")
+    bench.device.wire.to_host.silent = True
+    with pytest.raises(NoReply):
+        bench.dish.home_motor(0)
+    bench.device.wire.to_host.silent = False
+    bench.clock.advance(30.0)
+    bench.dish.meet()
+    assert bench.lines().count("a") == asked + 2
 
 
 def test_a_root_that_shows_another_prompt_is_not_taken_for_one_of_them():
@@ -163,6 +189,22 @@ def raising(error):
         raise error
 
     return deed
+
+
+def test_homing_of_an_x2_is_awaited_for_as_long_as_it_may_wait_before_it():
+    bench = Bench(PathwayX2Protocol(), "pathway-x2?seed=1&unhomed=1&lag_min_s=14.9&az_speed=30&el_speed=4")
+    bench.dish.meet()
+    bench.dish.enter_motor_menu()
+    begun = bench.clock.monotonic()
+    bench.dish.home_motor(0)
+    assert bench.clock.monotonic() - begun > 17.0, "longer than a G2 is waited for"
+    for line, longest_s in (("h 0", 30.0), ("h 1", 30.0), ("h *", 60.0)):
+        assert bench.dish.judge(line, "mot", homed=True).takes_s == longest_s
+    assert PathwayX2Protocol.model.homing_s == 30.0
+
+
+def test_an_x2_that_never_tells_where_it_is_has_no_new_target_to_be_stopped_by():
+    assert [rung.means for rung in PathwayX2Protocol.model.stop_ladder] == ["power"]
 
 
 @pytest.mark.parametrize("ack", ["executed", "at_once"])

@@ -107,35 +107,26 @@ DVB>
 
 
 @LINE_ENDS
-@pytest.mark.parametrize("spaces", ["AZ - Angle: 1 Wrap: 0", "AZ -  Angle:  1   Wrap:  0", "AZ-Angle:1 Wrap:0"])
-def test_t_g2plus_home(play, line_end, spaces):
-    g2, port = play(f"TRK>mot\nMOT>h *\nwrap_min:-42333 wrap_max:2333\n{spaces}\nMOT>\n", line_end)
-    g2.enter_motor_menu()
-    assert g2.home_motors() == {
-        "wrap_min_deg": -423.33, "wrap_max_deg": 23.33, "az_printed": 1, "turn": 0,
-    }  # fmt: skip
-    assert port.written == b"\rmot\rh *\r"
-
-
-@LINE_ENDS
 def test_t_fox(play, line_end):
     g2, port = play(
-        "TRK>mot\nMOT>h *\nMOT>a\nAngle[0] = 0.00\nAngle[1] = 65.00\n"
+        "TRK>mot\nMOT>h 0\nMOT>h 1\nMOT>a\nAngle[0] = 0.00\nAngle[1] = 65.00\n"
         "MOT>a 0 90.00\nAngle = 90.00\nMOT>a 1 45.00\nAngle = 45.00\nMOT>\n",
         line_end,
     )
     g2.enter_motor_menu()
-    g2.home_motors()
+    g2.home_motor(0)
+    g2.home_motor(1)
     assert g2.get_position() == Position(0.0, 65.0)
     g2.move_motor(0, 90.0)
     g2.move_motor(1, 45.0)
-    assert port.written == b"\rmot\rh *\ra\ra 0 90.00\ra 1 45.00\r"
+    assert port.written == b"\rmot\rh 0\rh 1\ra\ra 0 90.00\ra 1 45.00\r"
 
 
 def test_homing_may_keep_the_shell_for_long(play):
-    g2, _port = play([(b"\r", b"\r\nTRK>"), (b"mot\r", b"mot\r\nMOT>"), (b"h *\r", 25.0, b"h *\r\nMOT>")])
+    g2, port = play([(b"\r", b"\r\nTRK>"), (b"mot\r", b"mot\r\nMOT>"), (b"h 0\r", 14.0, b"h 0\r\nMOT>")])
     g2.enter_motor_menu()
-    assert g2.home_motors() == {}
+    g2.home_motor(0)
+    assert port.written == b"\rmot\rh 0\r"
 
 
 def test_every_byte_of_a_reply_may_come_alone(play, clock):

@@ -103,6 +103,15 @@ def test_an_x2_waits_before_it_executes_and_answers_then_or_at_once(ack, answere
     assert dish.device.truth().az_deg == pytest.approx(170.0, abs=0.1)
 
 
+@pytest.mark.parametrize("ack", ["executed", "at_once"])
+def test_an_x2_waits_before_it_homes(ack):
+    dish = Terminal(f"pathway-x2?seed=1&unhomed=1&lag_min_s=14.9&lag_max_s=14.9&lag_ack={ack}", "\r\n")
+    dish.type("mot")
+    assert dish.type("h 0", 14.0) == "h 0\r\n"
+    assert not dish.device.truth().moving
+    assert "MOT>" in dish.type("", 12.0)
+
+
 def test_the_wait_of_an_x2_is_another_one_each_time():
     dish = Terminal("pathway-x2?seed=1", "\r\n")
     dish.type("mot")

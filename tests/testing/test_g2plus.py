@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from birdcage.rotator.verdict import Grade
 from birdcage.testing import ConsoleScene, Contract, Golden, MachineBench, StopScene
 
 from .simulated import sim
@@ -10,7 +11,8 @@ from .simulated import sim
 
 def home_both(rotator):
     rotator.make_ready()
-    return rotator.protocol.home_motors()
+    typed = rotator.raw.type_line("h *", "mot", takes_s=30.0, confirmed=Grade.MOVES, permit=lambda: None)
+    return typed.wait(30.0).lines
 
 
 HOME = Golden(
@@ -21,7 +23,7 @@ HOME = Golden(
         (b"h *\r", b"h *\r\nAZ - Angle: 1 Wrap: 0\r\nMOT>"),
     ),
     home_both,
-    {"az_printed": 1, "turn": 0},
+    ("AZ - Angle: 1 Wrap: 0",),
 )
 
 

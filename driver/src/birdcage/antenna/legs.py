@@ -36,7 +36,7 @@ class Leg:
 
     @property
     def is_silent(self) -> bool:
-        """Whether any byte aborts it, so that nothing is sent while it lasts."""
+        """Whether nothing is sent while it lasts, as any byte may end it."""
         return self.motor is None
 
     @property

@@ -143,7 +143,7 @@ class DishMotion:
     skew: AxisMotion | None = None
     """None unless the skew turns."""
     silent: bool = False
-    """A combined move that any byte aborts: nothing may be asked while it lasts."""
+    """All axes were sent in one go: nothing may be asked while it lasts, as any byte may end it."""
     longest_s: float = 0.0
     """How long it may take at the longest, whichever way round its azimuth goes; mechanical seconds."""
     together: bool = False

@@ -319,6 +319,9 @@ class FirmwareProtocol(ABC):
         """Find the axis' reference. CommandRefused (`unsupported`) on a firmware that homes only by itself."""
         raise self._lacks(f"homing motor {motor_id} by command")
 
+    def may_have_homed(self) -> None:  # noqa: B027 - most keep nothing that homing changes
+        """Take note that a line has gone out which finds, or may find, the reference of an axis, whoever typed it."""
+
     def release_motors(self, *, permit: Callable[[], None] | None = None) -> None:  # noqa: ARG002
         """Take the current off the motors. CommandRefused (`unsupported`) where that can't be done.
 

@@ -86,7 +86,10 @@ class MenuRaw:
         """Send a line; what could leave a menu goes out at the root only where it was confirmed as what can ruin."""
         console = self._protocol.console
         at_root = confirmed is Grade.RUINS and place in console.dialect.ends
-        return MenuTyped(self._protocol, console.type_line(line, takes_s=takes_s, permit=permit, at_root=at_root))
+        typed = console.type_line(line, takes_s=takes_s, permit=permit, at_root=at_root)
+        if "homed" in self.judge(line, place, homed=None).forgets:
+            self._protocol.may_have_homed()
+        return MenuTyped(self._protocol, typed)
 
 
 class MenuTyped:

@@ -97,7 +97,10 @@ class SearchSetting(Setting):
 
 @dataclass(frozen=True, slots=True)
 class SilentSlew:
-    """A combined move that any byte aborts: while it lasts nothing is asked, and the position is modelled."""
+    """All axes are sent in one go: while they move nothing is asked, and the position is modelled.
+
+    Whether anything ends it before its target the ladder of STOP says: on some machines any byte, on others nothing.
+    """
 
     least_deg: float
     """An axis that has further to go than this is sent by it, as a queued move cannot be called back

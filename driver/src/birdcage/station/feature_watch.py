@@ -182,7 +182,7 @@ class FeatureWatch:
     def _may_be_read_moving(self) -> dict[str, float]:
         motion, features = self._antenna.motion, self._features
         if self._watches.excursion is not None or (motion is not None and motion.silent):
-            return {}  # any byte would end a silent slew
+            return {}  # any byte may end a silent slew
         periods = self._watches.periods_s(features)
         return {name: period_s for name, period_s in periods.items() if features[name].cost.while_moving}
 

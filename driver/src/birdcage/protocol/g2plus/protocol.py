@@ -31,7 +31,7 @@ class CarryoutG2PlusProtocol(TrkKin, TrkNvsProtocol):
     dialect: ClassVar[ConsoleDialect] = DIALECT
     feature_table: ClassVar[FeatureTable] = FEATURES
     settings_known: ClassVar[Mapping[int, SettingKnown]] = KNOWN
-    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT)
+    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT, CARRYOUT_G2_PLUS)
     commands: ClassVar[tuple[CommandDoc, ...]] = kin_commands(DIALECT.prompts)
 
     def read_nvs(self, index: int) -> NvsRow:

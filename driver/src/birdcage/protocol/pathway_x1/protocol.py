@@ -22,5 +22,5 @@ class PathwayX1Protocol(TrkKin):
     model: Facts = PATHWAY_X1
     dialect: ClassVar[ConsoleDialect] = DIALECT
     feature_table: ClassVar[FeatureTable] = FEATURES
-    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT)
+    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT, PATHWAY_X1)
     commands: ClassVar[tuple[CommandDoc, ...]] = kin_commands(DIALECT.prompts)

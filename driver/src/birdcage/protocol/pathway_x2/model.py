@@ -7,9 +7,10 @@ from dataclasses import replace
 
 from birdcage.protocol.trk.answers import MoveAnswer
 from birdcage.protocol.trk.dialect import kin_dialect
-from birdcage.protocol.trk.kin_facts import AZIMUTH, ELEVATION, kin_facts
+from birdcage.protocol.trk.kin_facts import AZIMUTH, ELEVATION, HOMING_S, kin_facts
 from birdcage.rotator.axis import Axis, MeasuredTimes
 from birdcage.rotator.feature_table import FeatureTable
+from birdcage.rotator.ladder import POWER_SWITCH
 
 LAG_S = 15.0
 """The longest that it was seen to wait before it executes a command: 10 to 15 s at times, and none at others."""
@@ -34,5 +35,11 @@ ANSWER = MoveAnswer(re.compile(r"\bm\s+(?P<motor>[01])\s+a\s+(?P<angle>[-+]?\d+)
 """`m 0  a 17000  np 111714`: motor, angle in hundredths, and probably steps."""
 FEATURES = FeatureTable()
 """No source tells of anything that it tells or lets be set."""
-PATHWAY_X2 = kin_facts("Pathway X2", "pathway-x2", axes=(_lagging(AZIMUTH), _lagging(ELEVATION)))
+PATHWAY_X2 = kin_facts(
+    "Pathway X2",
+    "pathway-x2",
+    axes=(_lagging(AZIMUTH), _lagging(ELEVATION)),
+    homing_s=LAG_S + HOMING_S,
+    stop_ladder=(POWER_SWITCH,),
+)
 DIALECT = kin_dialect(PATHWAY_X2.name, "mot", line_end=b"\r\n")

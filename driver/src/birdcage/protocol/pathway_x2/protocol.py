@@ -34,7 +34,7 @@ class PathwayX2Protocol(TrkKin):
     lag_s: ClassVar[float] = LAG_S
     blank_lines: ClassVar[bool] = True
     feature_table: ClassVar[FeatureTable] = FEATURES
-    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT)
+    hazards: ClassVar[HazardTable] = kin_hazards(DIALECT, PATHWAY_X2)
     commands: ClassVar[tuple[CommandDoc, ...]] = kin_commands(DIALECT.prompts)
 
     _stands: tuple[float, float] | None = None

@@ -42,7 +42,7 @@ class TrkKin(TrkProtocol):
 
     asks_where: ClassVar[bool] = True
     lag_s: ClassVar[float] = 0.0
-    """The longest that it may wait before it answers the command of a move."""
+    """The longest that it may wait before it executes the command of a move. `model.homing_s` has it in."""
     blank_lines: ClassVar[bool] = False
     """Whether the command of a move goes between two bare Enters."""
     _sent: tuple[_Sent, ...] = ()
@@ -140,12 +140,8 @@ class TrkKin(TrkProtocol):
             self._take_move(each.motor, each.degrees, reply)
         return True
 
-    def home_motor(self, motor_id: int) -> None:
-        """Find one axis' reference by stall. Blocks the shell until it is done; can't be stopped.
-
-        Source: docs/reference/g2-kin.md, *Homing*.
-        """
-        super().home_motor(motor_id)
+    def may_have_homed(self) -> None:
+        """Ask it once more where it is, when it is met next (docs/reference/g2-kin.md, *Position*)."""
         if self.asks_where and self._tells is False:
             self._tells = None  # it may not have told because it was not homed
 

@@ -12,6 +12,15 @@ from birdcage.rotator.origin import by_origin
 
 _SPEED_DEG_S, _ACCELERATION_DEG_S2 = 10.0, 20.0
 """No source tells. A G2 is several times as fast: waits as long as these make are the safe ones."""
+HOMING_S = 15.0
+"""The longest that one axis takes: as on a G2."""
+JUST_AHEAD = Rung(
+    means=StopMeans.RETARGET,
+    ends=frozenset({MoveKind.SINGLE}),
+    proven=False,
+    sentence="a new target just ahead of the dish; no stop is documented for this firmware",
+)
+"""Of one that may tell where it is: that is asked only when it is met."""
 _STEP_DEG = 0.01
 """Their consoles are sent hundredths."""
 _DOCUMENTED = "name firmware baud azimuth.min_deg azimuth.max_deg azimuth.step_deg elevation.step_deg"
@@ -57,7 +66,8 @@ def kin_facts(name: str, firmware: str, *, documented: str = "", **more: Any) ->
         "second_same": SecondMove.QUEUE,
         "second_other": SecondMove.QUEUE,
         "search_switch": SearchSwitch.NOT_KNOWN,
-        "homing_s": 15.0,
+        "homing_s": HOMING_S,
+        "stop_ladder": (JUST_AHEAD, POWER_SWITCH),
     }
     return Facts(
         name=name,
@@ -66,15 +76,6 @@ def kin_facts(name: str, firmware: str, *, documented: str = "", **more: Any) ->
         cable=None,
         cable_known=False,
         turn=CableTurn.UNKNOWN,
-        stop_ladder=(
-            Rung(
-                means=StopMeans.RETARGET,
-                ends=frozenset({MoveKind.SINGLE}),
-                proven=False,
-                sentence="a new target just ahead of the dish; no stop is documented for this firmware",
-            ),
-            POWER_SWITCH,
-        ),
         slew=SilentSlew(0.0),
         moves_one_axis=False,
         boot_s=180.0,

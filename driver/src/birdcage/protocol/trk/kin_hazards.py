@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.protocol.hazard import Hazard, HazardTable, row_maker
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.verdict import Grade
 
 _WHERE = frozenset({"position", "turn"})
@@ -16,8 +17,10 @@ _UNGUARDED = "birdcage checks no limits for this line."
 _HOMING = "Runs the axis into its stop to find its reference. Only cutting the power stops that."
 
 
-def kin_hazards(dialect: ConsoleDialect) -> HazardTable:
-    """Return the table of a relative with the menus of a dialect."""
+def kin_hazards(dialect: ConsoleDialect, facts: Facts) -> HazardTable:
+    """Return the table of a relative that homes by command, with the menus of a dialect."""
+    homing_s = facts.homing_s
+    assert homing_s is not None, "each of them homes by command"
     menus = frozenset(dialect.prompts)
     row = row_maker(menus, dialect.root)
     settings: tuple[Hazard, ...] = ()
@@ -52,9 +55,9 @@ def kin_hazards(dialect: ConsoleDialect) -> HazardTable:
             row("mot", "a"),
             row("mot", r"a (?P<axis>[01]) (?P<angle>\d\S*)", Grade.MOVES, f"Moves an axis. {_UNGUARDED}",
                 forgets=_WHERE, takes_s=20.0),
-            row("mot", "h 0", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=15.0, homes=(0,)),
-            row("mot", "h 1", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=15.0, homes=(1,)),
-            row("mot", r"h \*", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=30.0, homes=(0, 1)),
+            row("mot", "h 0", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=homing_s, homes=(0,)),
+            row("mot", "h 1", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=homing_s, homes=(1,)),
+            row("mot", r"h \*", Grade.MOVES, _HOMING, forgets=_REFERENCE, takes_s=2 * homing_s, homes=(0, 1)),
             row("mot", _UNDOCUMENTED, Grade.MOVES,
                 f"Undocumented command of the menu that moves the motors. {_UNGUARDED}",
                 forgets=_ALL, takes_s=60.0, loose=True),

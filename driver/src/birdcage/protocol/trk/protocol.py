@@ -13,13 +13,10 @@ from birdcage.protocol.family import angle_text
 from birdcage.protocol.firmware import STALLED
 from birdcage.protocol.protocol import FirmwareProtocol
 from birdcage.protocol.trk.answers import ANGLE, MoveAnswer, angles_in, position_of
-from birdcage.protocol.trk.homing import parse_homing
-from birdcage.rotator.feature import Value
 from birdcage.rotator.values import Position, Taken
 
 _OTHER_ANGLES = re.compile(r"\bAZ\s*=.*\bEL\s*=")
 """How a Trav'ler prints where it is (docs/reference/travler.md, *Position*); no damage makes it of such an answer."""
-_HOMING_S = 15.0
 
 
 class TrkProtocol(FirmwareProtocol):
@@ -124,17 +121,14 @@ class TrkProtocol(FirmwareProtocol):
         return tuple(f"a {motor} {angle_text(deg)}" for motor, deg in enumerate((az_deg, el_deg)))
 
     def home_motor(self, motor_id: int) -> None:
-        """Find one axis' reference by stall. Blocks the shell until it is done; can't be stopped.
+        """Find one axis' reference by stall. Blocks the shell for up to `model.homing_s`; can't be stopped.
 
         Source: docs/reference/g2-motors.md, *Homing*.
         """
         self.model.numbered[motor_id]  # KeyError for a motor that it has not
-        self.console.run("mot", f"h {motor_id}", takes_s=_HOMING_S, permit=self.permit)
-
-    def home_motors(self) -> dict[str, Value]:
-        """Find the references of both axes (`h *`), as `home_motor`; return what it printed (`parse_homing`).
-
-        Source: docs/reference/g2-motors.md, *Homing*.
-        """
-        reply = self.console.run("mot", "h *", takes_s=2 * _HOMING_S, permit=self.permit)
-        return parse_homing(reply.lines)
+        longest_s = self.model.homing_s
+        assert longest_s is not None, "each of them homes by command"
+        try:
+            self.console.run("mot", f"h {motor_id}", takes_s=longest_s, permit=self.permit)
+        finally:
+            self.may_have_homed()  # also where its answer was lost

@@ -39,6 +39,6 @@ class KinSettings(TrkSettings):
     """A line that it prints then; empty for none (open)."""
     lag_min_s: float = 0.0
     lag_max_s: float = 0.0
-    """Before it executes the command of a move it waits for a time that is drawn anew each time."""
+    """Before it executes the command of a move, or of homing (assumed), it waits. How long is drawn anew each time."""
     lag_ack: str = "executed"
     """Whether the answer to a move comes when it is executed, and the shell reads nothing before, or at once (open)."""

@@ -47,7 +47,7 @@ class KinMotMenu(TrkMenu[KinBoard]):
 
     def __init__(self, board: KinBoard) -> None:
         super().__init__(board)
-        self.commands |= {"a": self._angle, "h": lambda args: homing(board, args) or self.bad_parameter()}
+        self.commands |= {"a": self._angle, "h": self._home}
 
     def _angle(self, args: list[str]) -> Script:
         if not args:
@@ -60,6 +60,10 @@ class KinMotMenu(TrkMenu[KinBoard]):
         yield Pause(self.board.lag_s())
         yield from moves.angle(self.board, args) or self.bad_parameter()
         self._note(args)
+
+    def _home(self, args: list[str]) -> Script:
+        yield Pause(self.board.lag_s())
+        yield from homing(self.board, args) or self.bad_parameter()
 
     def _bare(self) -> Script:
         match self.board.settings.bare_a:
