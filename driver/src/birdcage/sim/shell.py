@@ -60,6 +60,16 @@ class Menu(Protocol):
         """Carry out one line, never empty. An unknown command answers with its error text."""
 
 
+def quitting(what: str, unknown: Callable[[], Script]) -> Script:
+    """Do what a `q` does that leaves no submenu: a knob of each console, as the sources disagree."""
+    if what == "kill":
+        yield Die()
+    elif what == "leave":
+        yield Enter("root")
+    elif what == "error":
+        yield from unknown()
+
+
 class ScriptShell(ABC):
     """Reads the wire into lines, and runs one script at a time; input waits meanwhile. What a line is, a subclass says.
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 from birdcage.sim.carryout.board import CarryoutBoard, number
 from birdcage.sim.carryout.search import CarryoutSearch
-from birdcage.sim.shell import Die, Enter, Pause, Script
+from birdcage.sim.shell import Enter, Pause, Script, quitting
 
 Command = Callable[[list[str]], Script]
 SUBMENUS = ("target", "motor", "dvb", "os", "nvs")
@@ -62,10 +62,7 @@ class CarryoutRootMenu(CarryoutMenu):
         return enter
 
     def _leave(self, args: list[str]) -> Script:  # noqa: ARG002
-        if self.board.settings.root_q == "kill":
-            yield Die()
-        elif self.board.settings.root_q == "error":
-            yield from self.unknown()
+        yield from quitting(self.board.settings.root_q, self.unknown)
 
 
 class OsMenu(CarryoutMenu):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.g2.board import G2Board
 from birdcage.sim.g2.menu import G2Menu
-from birdcage.sim.shell import Die, Enter, Pause, Script
+from birdcage.sim.shell import Enter, Pause, Script, quitting
 from birdcage.sim.trk.limits import INT_MAX
 
 SUBMENUS = {
@@ -48,11 +48,7 @@ class G2RootMenu(G2Menu):
             yield from super().run(words)
 
     def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
-        what = self.board.settings.root_q
-        if what == "kill":
-            yield Die()
-        elif what == "error":
-            yield from self.unknown(["q"])
+        yield from quitting(self.board.settings.root_q, lambda: self.unknown(["q"]))
 
     def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
         self.board.reboot()

@@ -18,7 +18,7 @@ from birdcage.sim.hal.menu import HalMenu
 from birdcage.sim.hal.root import HalRootMenu
 from birdcage.sim.machine import Machine
 from birdcage.sim.settings import SimSettings
-from birdcage.sim.shell import ConsoleShell, Die, Enter, Script
+from birdcage.sim.shell import ConsoleShell, Enter, Script, quitting
 
 HIGHEST_DEG = 75.0
 """Past this the elevation stalls (`docs/reference/travler-pro.md`, *Elevation*)."""
@@ -37,7 +37,7 @@ class IduMenu(HalMenu):
         yield Enter("odu")
 
     def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
-        yield from quitting(self, self.board.settings.root_q)
+        yield from quitting(self.board.settings.root_q, self.unknown)
 
 
 class OduMenu(HalRootMenu):
@@ -49,17 +49,7 @@ class OduMenu(HalRootMenu):
         self._q = settings.odu_q
 
     def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
-        yield from quitting(self, self._q)
-
-
-def quitting(menu: HalMenu, what: str) -> Script:
-    """Do what a `q` does that leaves no submenu."""
-    if what == "kill":
-        yield Die()
-    elif what == "leave":
-        yield Enter("root")
-    elif what == "error":
-        yield from menu.unknown()
+        yield from quitting(self._q, self.unknown)
 
 
 class ProBoard(HalBoard):

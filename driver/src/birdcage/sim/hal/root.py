@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.hal.board import HalBoard
 from birdcage.sim.hal.menu import HalMenu
-from birdcage.sim.shell import Die, Enter, Pause, Script
+from birdcage.sim.shell import Enter, Pause, Script, quitting
 
 
 class HalRootMenu(HalMenu):
@@ -24,11 +24,7 @@ class HalRootMenu(HalMenu):
             yield from super().run(words)
 
     def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
-        what = self.board.settings.root_q
-        if what == "kill":
-            yield Die()
-        elif what == "error":
-            yield from self.unknown()
+        yield from quitting(self.board.settings.root_q, self.unknown)
 
     def _reboot(self, args: list[str]) -> Script:  # noqa: ARG002
         self.board.host.restart()

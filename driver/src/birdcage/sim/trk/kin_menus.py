@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from birdcage.sim.shell import Die, Enter, Menu, Pause, Script
+from birdcage.sim.shell import Enter, Menu, Pause, Script, quitting
 from birdcage.sim.trk import moves
 from birdcage.sim.trk.homing import homing
 from birdcage.sim.trk.kin_board import KinBoard
@@ -32,11 +32,7 @@ class KinRootMenu(TrkMenu[KinBoard]):
             yield from super().run(words)
 
     def _quit(self, args: list[str]) -> Script:  # noqa: ARG002
-        what = self.board.settings.root_q
-        if what == "kill":
-            yield Die()
-        elif what == "error":
-            yield from self.unknown(["q"])
+        yield from quitting(self.board.settings.root_q, lambda: self.unknown(["q"]))
 
 
 class KinMotMenu(TrkMenu[KinBoard]):
