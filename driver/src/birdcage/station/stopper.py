@@ -248,20 +248,19 @@ class Stopper:
         self._store.change(unplanned_stop=self._strategy.unplanned)
 
     def _complete(self, pending: PendingStop) -> None:
-        if pending.report.means is StopMeans.RELEASE:
+        means = pending.report.means
+        if means is StopMeans.RELEASE:
             self._release(pending)
             return
         try:
-            self._strategy.answered(pending.report.means)
-            if pending.report.means is StopMeans.SEARCH:
+            self._strategy.answered(means)
+            if means is StopMeans.SEARCH:
                 self._antenna.maintenance.end_search()
                 self._store.change(search=TvSearch.OFF_UNTIL_POWER_UP)
                 self._antenna.rotator.make_ready()
-            now = self._store.clock.monotonic()
-            pending.deadline = max(
-                pending.deadline, now + self._times.lasts_s(pending.report.means, slowest=pending.slowest)
-            )
-            pending.note = search_ended(self._antenna.model) if pending.report.means is StopMeans.SEARCH else ""
+            lasts_s = self._times.lasts_s(means, slowest=pending.slowest)
+            pending.deadline = max(pending.deadline, self._store.clock.monotonic() + lasts_s)
+            pending.note = search_ended(self._antenna.model) if means is StopMeans.SEARCH else ""
         except CommandRefused as refused:
             pending.note = f"The TV search was not ended: {refused} "
 
