@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 from birdcage.base.clock import VirtualClock
+from birdcage.base.errors import NoReply
 from birdcage.base.wake import Wake
 from birdcage.console.dialect import ConsoleDialect
 from birdcage.console.session import Console
@@ -100,3 +101,27 @@ def test_what_took_long_to_begin_was_no_slow_answer():
     paced.console.run("nvs", "d 20")
     paced.console.run("nvs", "d 20")
     assert paced.console.took_s < 0.2
+
+
+@pytest.mark.parametrize(("within_s", "left"), [(0.9, False), (2.0, True)])
+def test_before_the_port_closes_the_pace_counts_and_nothing_goes_out_that_has_no_time(within_s, left):
+    paced = Paced(delay_s=0.2)
+    paced.console.enter("mot")
+    paced.console.run("mot", "a")
+    paced.clock.advance(3.0)
+    paced.console.synchronize()
+    sent, began = len(paced.sent), paced.clock.monotonic()
+    assert paced.console.leave_all(within_s) is left
+    assert paced.clock.monotonic() - began <= within_s
+    assert [line for _, line in paced.sent[sent:]] == ([b"\r", b"q\r"] if left else [])
+
+
+def test_a_line_whose_turn_comes_too_late_is_not_sent():
+    paced = Paced()
+    paced.console.run("nvs", "d 20")
+    wire, sent = paced.console._wire, len(paced.sent)
+    wire.limit = paced.clock.monotonic() + 0.5
+    with pytest.raises(NoReply, match="no time left"):
+        paced.console.run("nvs", "d 20")
+    assert len(paced.sent) == sent
+    assert paced.clock.monotonic() < wire.limit, "and it says so at once"

@@ -114,6 +114,11 @@ class ConsoleDialect:
             path, menu = (menu, *path), self.parent(menu)
         return path
 
+    def way_out(self, menu: str) -> int:
+        """Return how many menus are left on the way from one to the first that `leave` must not reach."""
+        path = self.path(menu)
+        return next((count for count, each in enumerate(reversed(path)) if each in self.ends), len(path))
+
     @property
     def depth(self) -> int:
         """How many menus lie in one another below the root, at most."""

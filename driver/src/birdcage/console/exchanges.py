@@ -28,8 +28,6 @@ class Exchanges:
         self._wire, self._clock, self._delay_s = wire, wire.clock, wire.delay_s
         self.late = LateLines(wire)
         self._marks_lost = 0
-        self.limit: float | None = None
-        """Beyond this nothing is waited for, in monotonic seconds; None: no limit."""
         self.round_trip_s: float | None = None
         """How long the last short command took, from its first byte out to its prompt."""
         self.took_s = 0.0
@@ -51,7 +49,7 @@ class Exchanges:
         """Take in what came, and give answers to earlier lines their time."""
         self._wire.take_in()
         if self.late.lines:
-            self.late.end(self.limit)
+            self.late.end()
 
     def ask(
         self,
@@ -106,9 +104,7 @@ class Exchanges:
     ) -> Reply:  # fmt: skip
         """Return the reply to a line that is out, due within `busy_s` + `timeout_s`. NoReply says what came instead."""
         wire, timeout_s = self._wire, timeout_s + busy_s
-        deadline = self._clock.monotonic() + timeout_s
-        if self.limit is not None:
-            deadline = min(deadline, self.limit)
+        deadline = min(self._clock.monotonic() + timeout_s, wire.limit)
         try:
             soon = min(deadline, self._clock.monotonic() + timeout_s / 2)
             if wakes and not self._is_answered_by(soon, ticket, on_line) and not wire.seen:
@@ -181,9 +177,7 @@ class Exchanges:
         fell quiet.
         """
         wire, delay = self._wire, self._delay_s
-        give_up = max(wire.quiet_at(strictly=strictly), self._clock.monotonic()) + 4 * delay
-        if self.limit is not None:
-            give_up = min(give_up, self.limit)
+        give_up = min(max(wire.quiet_at(strictly=strictly), self._clock.monotonic()) + 4 * delay, wire.limit)
         while True:
             goal = wire.quiet_at(strictly=strictly)
             now = self._clock.monotonic()

@@ -77,12 +77,12 @@ class LateLines:
                 kept.append(late)
         self.lines = kept
 
-    def end(self, limit: float | None) -> None:
-        """End the stream, giving every answer its time, but none beyond `limit`; what has not come then is missing."""
+    def end(self) -> None:
+        """End the stream, giving every answer its time, within `Wire.limit`; what has not come then is missing."""
         self.collect()
         while self.owed:
             due = self.lines[-1].sent + self._wire.delay_s
-            if not self._wire.pump(due if limit is None else min(due, limit)):
+            if not self._wire.pump(min(due, self._wire.limit)):
                 break
             self.collect()
         self.drop()

@@ -18,10 +18,10 @@ class Learner:
     def __init__(self, wire: Wire, delay_s: float, on_line: LineSink | None) -> None:
         self._wire, self._delay_s, self._on_line = wire, delay_s, on_line
 
-    def ask(self, line: str, limit: float | None) -> Reply:
+    def ask(self, line: str) -> Reply:
         """Send a line and return its reply, which a known prompt ends at once, and a new one when it showed twice.
 
-        Nothing is waited for beyond `limit` (monotonic seconds). NoReply when no prompt came.
+        Nothing is waited for beyond `Wire.limit`. NoReply when no prompt came.
         """
         wire, began = self._wire, self._wire.clock.monotonic()
         tickets, shown = [wire.send(line)], [""]
@@ -31,7 +31,7 @@ class Learner:
                 self._on_line(text)
 
         try:
-            while (stands := self._await(tickets, limit, hear)) is not None:
+            while (stands := self._await(tickets, hear)) is not None:
                 if stands and stands == shown[-1]:
                     wire.learn(stands)
                     wire.idle()
@@ -50,12 +50,10 @@ class Learner:
         lines = tuple(text for text in reply.lines if text not in shown)
         return Reply(reply.command, lines, reply.menu, reply.token, reply.ticket)
 
-    def _await(self, tickets: list[int], limit: float | None, hear: LineSink) -> str | None:
+    def _await(self, tickets: list[int], hear: LineSink) -> str | None:
         """Wait until all is answered (None), or something that looks like a prompt stands; empty when nothing does."""
         wire, codec = self._wire, self._wire.codec
-        deadline = wire.clock.monotonic() + self._delay_s
-        if limit is not None:
-            deadline = min(deadline, limit)
+        deadline = min(wire.clock.monotonic() + self._delay_s, wire.limit)
         while any(wire.codec.owes(ticket) for ticket in tickets):
             # Nothing of what came before the last Enter counts: `seen` begins with it.
             stands = codec.unfinished if wire.seen and looks_like_prompt(codec.unfinished) else ""

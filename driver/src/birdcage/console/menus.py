@@ -84,14 +84,14 @@ class Menus:
         if self._wire.lost:
             self._wire.codec.unlearn()  # a prompt learnt wrong may be why a reply is missing
         if not self._wire.codec.knows_prompts or self._wire.codec.unfinished:
-            self._learner.ask("", self._exchanges.limit)
+            self._learner.ask("")
         return self._look()
 
     def _look(self) -> str:
         """Return the menu that the dish's help tells."""
         wire, places = self._wire, self._places
         for _ in range(_LOOKS):
-            reply = self._learner.ask(HELP, self._exchanges.limit)
+            reply = self._learner.ask(HELP)
             menu = places.judge(reply.lines)
             if menu is None and places.is_stranger(reply.lines):
                 raise NoReply(self.dialect.stranger.format(prompt=reply.token), reason=Reason.WRONG_FIRMWARE)
@@ -113,7 +113,7 @@ class Menus:
 
     def _go(self, menu: str) -> None:
         """Go from the menu above it to a submenu, and make sure of it."""
-        reply = self._learner.ask(menu, self._exchanges.limit) if self.dialect.learnt else self._exchanges.ask(menu)
+        reply = self._learner.ask(menu) if self.dialect.learnt else self._exchanges.ask(menu)
         refusal = self.dialect.refusal_in(reply)
         if refusal is not None:
             raise refusal
@@ -163,7 +163,7 @@ class Menus:
         if not self.dialect.learnt:
             return self._exchanges.ask(self.dialect.leave).menu
         self._wire.menu = None  # also for how long each line after it waits
-        self._learner.ask(self.dialect.leave, self._exchanges.limit)
+        self._learner.ask(self.dialect.leave)
         return self._look()
 
     def prove_submenu(self) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import Unpack
@@ -271,21 +272,22 @@ class Console:
 
         For the moment before the port closes. A dish that stays in its menu is found there next time.
         """
-        wire = self._wire
-        self._exchanges.limit = self.clock.monotonic() + within_s
-        # Enter and `q` take a round trip each: what is left unanswered would answer the next program's first lines.
-        menu = self.place or ""
-        menus = len(self.dialect.path(menu)) if menu in self.dialect.prompts else self.dialect.depth
-        too_slow = (1 + 2 * max(menus, 1)) * (self._exchanges.round_trip_s or 0.0) > within_s
-        if too_slow or (not self.is_settled and wire.quiet_at(strictly=True) >= self._exchanges.limit):
-            self._exchanges.limit = None
+        wire, dialect, place = self._wire, self.dialect, self.place or ""
+        until = self.clock.monotonic() + within_s
+        # Enter and `q` take a round trip each, or their gap: what is left unanswered would answer the next program's
+        # first lines.
+        way = dialect.way_out(place) if place in dialect.prompts else dialect.depth
+        lines = ("", *("", dialect.leave) * max(way, 1))
+        too_slow = wire.lasts_s(lines, self._exchanges.round_trip_s or 0.0) > within_s
+        if too_slow or (not self.is_settled and wire.quiet_at(strictly=True) >= until):
             return False
+        wire.limit = until
         try:
             self.leave()
         except (NoReply, CommandRefused, LinkError):
             return False
         finally:
-            self._exchanges.limit = None
+            wire.limit = math.inf
         return True
 
     def mistrust(self) -> None:

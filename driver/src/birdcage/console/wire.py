@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from birdcage.base.clock import Clock, WaitOutcome
+from birdcage.base.errors import NoReply
 from birdcage.base.wake import Wake
 from birdcage.console.codec import MARK, Codec
 from birdcage.console.diagnosis import KEPT
@@ -61,6 +62,8 @@ class Wire:
         self.last_sent = clock.monotonic()
         self._turn_at = self.last_sent + dialect.gap_s
         """When the next line may go out. Another program may have sent one just before."""
+        self.limit = math.inf
+        """Beyond this nothing is waited for, and nothing sent, in monotonic seconds; infinite: no limit."""
         self.busy_until = clock.monotonic()
         self.doubt_until: float | None = clock.monotonic() + 2 * delay_s
         """Until when something unaccounted for may still be under way, either way; None when nothing is."""
@@ -86,7 +89,12 @@ class Wire:
             self._note(self.codec.learn(token))
 
     def await_turn(self) -> None:
-        """Wait until the dish can be expected to hear another line (`ConsoleDialect.gap_s`), taking in what comes."""
+        """Wait until the dish can be expected to hear another line (`ConsoleDialect.gap_s`), taking in what comes.
+
+        NoReply at once where that is not before `limit`.
+        """
+        if max(self.clock.monotonic(), self._turn_at) >= self.limit:
+            raise NoReply("There was no time left for another line. Nothing more was sent.")
         while self.clock.monotonic() < self._turn_at:
             self.pump(self._turn_at)
 
@@ -156,6 +164,13 @@ class Wire:
         with self._lock:
             if self.doubt_until == self._hazard_doubt:
                 self.doubt_until = before
+
+    def lasts_s(self, lines: Sequence[str], round_trip_s: float) -> float:
+        """Return how long such lines take, one after the other, the wait before the first one included."""
+        waits_s = max(self._turn_at - self.clock.monotonic(), 0.0)
+        for line in lines:
+            waits_s += max(self.dialect.gap_after(line, self.menu), round_trip_s)
+        return waits_s
 
     def quiet_at(self, *, strictly: bool) -> float:
         """Return when, should nothing come until then, all that was sent has been heard or is lost for good."""
