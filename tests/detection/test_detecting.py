@@ -124,7 +124,7 @@ def test_trav_lers_left_among_their_motors_cannot_be_told_apart_and_both_are_nam
     assert desk.device.shell.menu == menu
 
 
-@pytest.mark.parametrize("options", ["", "&prompts=alike", "&gap_s=0&motor_gap_s=0"])
+@pytest.mark.parametrize("options", ["", "&prompts=alike", "&gap_s=0", "&odu_gap_s=0.9&motor_gap_s=0.15"])
 @pytest.mark.parametrize("first", [None, 57600])
 def test_a_pro_is_found_by_its_tunnel_at_any_rate_though_it_loses_what_comes_too_soon(options, first) -> None:
     desk = Desk(f"pro?seed=1{options}")

@@ -31,7 +31,7 @@ ADDRESSES = {
     "g2plus": "g2plus?seed=1&az=-180&az_speed=10&el_speed=3",
     "hal205": "hal205?seed=1&boot_home_s=20&search_finds=0",
     "hal000": "hal000?seed=1&boot_home_s=20&search_finds=0",
-    "pro": "pro?seed=1&boot_home_s=20&search_finds=0",
+    "pro": "pro?seed=1&boot_home_s=20&search_finds=0&odu_gap_s=0.9&motor_gap_s=0.15",
     "easycomm": "easycomm?seed=1&az=90&el=25&el_homes=0",
 }
 """The dialects of the matrix, and a dish of each whose slews are long enough for something to happen in them."""

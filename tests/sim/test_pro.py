@@ -39,9 +39,8 @@ def test_t_pro(pro):
         dish.port.write(line.encode() + b"\r")
         assert "AZ =" not in dish.listen(1.0)
     assert dish.device.shell.menu == "odu"
-    for line in ("", "q", "", "mot"):
-        dish.port.write(line.encode() + b"\r")
-        dish.listen(1.0)
+    dish.port.write(b"\rq\r\rmot\r")
+    dish.listen(1.0)
     assert dish.device.shell.menu == "mot", "a q in the outdoor unit does not lead back"
     dish.port.write(b"a\r")
     reply = dish.listen(1.0)

@@ -40,7 +40,7 @@ LOOK = Golden(
 def bench():
     return MachineBench(
         "pro",
-        sim("pro?seed=1"),
+        sim("pro?seed=1&odu_gap_s=0.9&motor_gap_s=0.15"),
         stops=(
             StopScene("abort", (60.0, 15.0), 2.0),
             StopScene("end of move", (4.0, 0.0), 0.8, reaches_target=True),

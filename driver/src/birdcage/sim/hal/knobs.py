@@ -183,6 +183,9 @@ class ProSettings(Hal000Settings):
     too_high: str = "lock_up"
     """What follows a stall up there: silence until a power cycle ("may lock up": written), or nothing more."""
     gap_s: float = 0.9
-    """A line that begins sooner after the one before is lost; its program waits 1 s (written). 0 for none."""
-    motor_gap_s: float = 0.15
-    """The same in the motor menu, where its program waits for nothing (written); the figure (assumed)."""
+    """A line that begins sooner after one to the indoor unit is lost, one that follows `odu`, too; its program waits
+    1 s (written). 0 for none."""
+    odu_gap_s: float = 0.0
+    """The same behind the tunnel: its program sends Enter, `q`, Enter, `mot` there without a pause (written)."""
+    motor_gap_s: float = 0.0
+    """The same in the motor menu, where its program waits for nothing (written)."""

@@ -97,11 +97,14 @@ class ProFirmware(Hal000Firmware):
 
 
 class HurriedLines:
-    """Loses a line that begins too soon after the end of the one before it (settings `gap_s`, `motor_gap_s`)."""
+    """Loses a line that begins too soon after the end of the one before it.
+
+    How soon that is depends on where the one before it went: settings `gap_s`, `odu_gap_s`, `motor_gap_s`.
+    """
 
     def __init__(self, machine: Machine, settings: ProSettings, shell: ConsoleShell) -> None:
         self._machine, self._settings, self._shell = machine, settings, shell
-        self._ended_s = -math.inf
+        self._deaf_until_s = -math.inf
         self._inside = self._losing = False
 
     def hear(self, data: bytes) -> bytes:
@@ -109,13 +112,21 @@ class HurriedLines:
         now, kept = self._machine.now, bytearray()
         for byte in data:
             if not self._inside:
-                gap_s = self._settings.motor_gap_s if self._shell.menu == "mot" else self._settings.gap_s
-                self._losing = now - self._ended_s < gap_s
+                self._losing = now < self._deaf_until_s
             self._inside = byte not in b"\r\n"
             if not self._losing:
                 kept.append(byte)
-                self._ended_s = self._ended_s if self._inside else now
+                self._deaf_until_s = self._deaf_until_s if self._inside else now + self._gap_s()
         return bytes(kept)
+
+    def _gap_s(self) -> float:
+        match self._shell.menu:
+            case "root":
+                return self._settings.gap_s
+            case "mot":
+                return self._settings.motor_gap_s
+            case _:
+                return self._settings.odu_gap_s
 
 
 def pro_shell(machine: Machine, settings: SimSettings, firmware: Firmware, send: Send, echo: Send) -> ConsoleShell:
