@@ -69,6 +69,14 @@ def test_wherever_it_stands_it_is_met_and_no_q_reaches_either_unit(prompts, left
     assert [line for _, line in rig.device.shell.received] == rig.lines(), "each line that went out was heard"
 
 
+def test_the_pace_that_plans_count_with_is_that_of_its_motors():
+    for name in ("g2", "hal000", "hal205", "pro"):
+        known = get_protocol(name)
+        pace_s = known.dialect.gap_after("", known.motor_menu)
+        assert known.model.least_line_interval_s == pace_s
+    assert TravlerProProtocol.model.least_line_interval_s == 0.2
+
+
 def test_leaving_goes_back_to_the_outdoor_unit_and_no_further():
     rig = Rig(DEADLY)
     rig.dish.enter_motor_menu()

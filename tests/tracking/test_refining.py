@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from birdcage.base.no_go import NoGoSector
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.tracking.planning.forecast import saw_tooth_deg
 from birdcage.tracking.planning.planner import refine
 from birdcage.tracking.planning.rehearsal import rehearse
 from birdcage.tracking.steering.choice import controller_for
@@ -57,6 +59,16 @@ def test_what_is_forecast_is_what_a_rehearsal_shows(hard):
     hole = plan.keyholes[0]
     seen = rehearse(plan, on, queued, within=[(hole.start_s, hole.end_s)])
     assert seen.max_deg == pytest.approx(hole.max_error_deg, rel=0.3)
+
+
+def test_lines_that_may_not_come_too_fast_count_in_both():
+    free, paced = (mount(replace(TRAVLER, least_line_interval_s=pace_s), at=(200.0, 30.0)) for pace_s in (0.0, 0.2))
+    plan = plan_of(12.0, free)
+    at_s = plan.passing.tca.timestamp() + np.arange(-20.0, 20.0)
+    told = [saw_tooth_deg(on.model, plan.course, at_s, plan.legs)[0].size_deg.mean() for on in (free, paced)]
+    seen = [rehearse(plan, on, queued, within=[(at_s[0], at_s[-1])]).rms_deg for on in (free, paced)]
+    assert 1.03 < told[1] / told[0] < 1.2
+    assert 1.03 < seen[1] / seen[0] < 1.5
 
 
 @pytest.mark.parametrize("model", [g2(80.0), travler(5.0), TRAVLER], ids=["g2", "travler by speed", "travler by times"])

@@ -189,6 +189,11 @@ class Facts:
 
     Whoever watches, follows or stops it asks no oftener.
     """
+    least_line_interval_s: float = 0.0
+    """The least time from one line that moves it, or asks where it is, to the next, in seconds of the wire.
+
+    What is planned or forecast counts with it.
+    """
     power_switch: str
     """What a person switches off where no STOP helps: `12 V switch`, `power switch`."""
     reflector: Reflector | None = None

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from birdcage.base.beam import Reflector
 from birdcage.protocol import plugs
+from birdcage.protocol.hal.dialect import DIALECTS
 from birdcage.protocol.hal.features import FEATURES
 from birdcage.protocol.hal.own_settings import KNOWN
 from birdcage.protocol.hal.variant import HAL000, HAL205, PRO, HalVariant
@@ -137,13 +138,14 @@ OLDER_TRAVLER = replace(
 _PRO_INFERRED = """
     baud azimuth.times elevation.times azimuth.step_deg elevation.step_deg skew.step_deg cable.min_deg cable.max_deg
     has_stow search_switch has_own_settings readback second_same second_other stop_ladder rotctld_name cable_known
-    moves_one_axis sends_together never_homes settings_name
+    moves_one_axis sends_together never_homes settings_name least_line_interval_s
 """
 TRAVLER_PRO = replace(
     TRAVLER,
     name="Trav'ler Pro",
     firmware=PRO.firmware,
     any_baud=True,
+    least_line_interval_s=DIALECTS[PRO.firmware].gap_after("", PRO.motor),
     stop_ladder=(
         replace(_ABORT, proven=False, sentence="any byte, which ends a combined move of the other Trav'lers"),
         END_OF_MOVE,

@@ -29,6 +29,8 @@ _UNDER_WAY = 0.21
 _RESTS_S = 0.9
 """The longest from the end of a move of all axes until the next one begins: the proof that it is over, looks that are a
 tenth of a second apart, and two lines."""
+_LOOKS_PER_S = 1.0
+"""How often a dish is asked where it is while it follows, about."""
 _STEP_S = 0.5
 _ABOUT_S = 0.25
 _MOST = 2000
@@ -149,7 +151,8 @@ def saw_tooth_deg(
 
 def _interval_s(model: Facts, across: Floats, up: Floats, rests_s: float) -> Floats:
     """Return how long it takes until an axis is sent again; `rests_s`: how long the dish stands before."""
-    one_s = LATENCY_S + model.bits_s(_LINE_BITS)
+    pace_s = model.least_line_interval_s
+    one_s = max(LATENCY_S + model.bits_s(_LINE_BITS), pace_s)
     interval = np.full(len(across), 2.0 * one_s)
     if not model.moves_in_turn:
         return interval
@@ -162,5 +165,7 @@ def _interval_s(model: Facts, across: Floats, up: Floats, rests_s: float) -> Flo
     # its time even for the least way is never sooner than that.
     least = np.full(1, 1e-6)
     least_s = float((durations(model.azimuth, least) + durations(model.elevation, least))[0])
-    capped: Floats = np.minimum(interval, max(8.0, 2.0 * least_s))
+    # Each look stands between two commands, and puts the second one off where both gaps do not fit in.
+    put_off_s = np.maximum(2.0 * pace_s - interval / 2.0, 0.0) * _LOOKS_PER_S * interval
+    capped: Floats = np.minimum(interval + put_off_s, max(8.0, 2.0 * least_s))
     return capped

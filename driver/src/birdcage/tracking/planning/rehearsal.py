@@ -115,7 +115,7 @@ class _Stage:
         self._model, self._chance, self.now_s = model, chance, now_s
         self.axes = {MOTOR_AZIMUTH: _Motion(az_deg, now_s), MOTOR_ELEVATION: _Motion(el_deg, now_s)}
         self._queues = model.moves_in_turn
-        self._busy_s = now_s
+        self._busy_s = self._turn_s = now_s
 
     def carry_out(self, step: Step) -> StepResult:
         """Do what a controller asks for."""
@@ -123,6 +123,8 @@ class _Stage:
         if isinstance(step, Wait):
             self.now_s = max(self.now_s, step.until_s)
             return StepResult(self.now_s)
+        self.now_s = max(self.now_s, self._turn_s)
+        self._turn_s = self.now_s + self._model.least_line_interval_s
         self.now_s += self._model.bits_s(_LINE_BITS) + self._chance.uniform(*LATENCY_S)
         seen_s = self.now_s
         if isinstance(step, SlewStep):
