@@ -344,6 +344,19 @@ def test_a_raw_target_beyond_the_limits_is_told_as_such():
         assert not stage.station.judge("AZ100 EL45").limit
 
 
+def test_each_firmware_is_told_of_by_what_is_true_of_it():
+    rp2040, stock, other = RP2040_FACTS, STOCK_FACTS, kind_of("Acme").facts
+    assert "gets power" in rp2040.handling.north
+    assert "switch" in stock.handling.north
+    assert "two turns" not in stock.handling.clearance
+    assert "stepper" not in rp2040.stop_ladder[0].sentence
+    assert "13°" in stock.stop_ladder[0].sentence
+    for unsure in (FACTS, other):
+        assert "RP2040" in unsure.handling.clearance
+        assert "stock" in unsure.handling.clearance
+        assert "stock" in unsure.stop_ladder[0].sentence
+
+
 def test_each_fact_of_the_class_has_somebody_who_stands_for_it():
     for facts in (FACTS, STOCK_FACTS):
         assert facts.origin_of("cable.min_deg") is not None

@@ -61,6 +61,15 @@ def test_stop_stops_and_gets_no_answer(said):
     assert set(rotor.moves) == {("stop",)}
 
 
+@pytest.mark.parametrize("said", [b"AZ90.0 EL45.0 SA SE\n", b"MU SA\n", b"AZ90 VL0\n", b"VU4900 STOP\n"])
+def test_a_stop_wins_over_what_stands_before_it_in_the_same_line(said):
+    assert set(talk(said)[1].moves) == {("stop",)}
+
+
+def test_what_stands_behind_a_stop_counts():
+    assert talk(b"SA SE AZ90 EL30\n")[1].moves[-1] == ("set_position", 90.0, 30.0)
+
+
 def test_a_dish_out_of_reach_does_not_keep_the_rest_of_a_line_from_counting():
     rotor = ScriptedRotor()
     rotor.refuses["stop"] = Rprt.EIO

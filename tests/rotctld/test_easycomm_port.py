@@ -143,6 +143,43 @@ def test_its_link_is_there_while_it_serves(tmp_path):
     assert link.read_text() == "mine"
 
 
+def test_a_link_of_somebody_elses_is_left_alone_and_an_old_one_of_ours_replaced(tmp_path):
+    link = tmp_path / "rotator"
+    link.symlink_to("/dev/ttyUSB0")
+    with pytest.raises(ConfigError, match="points at /dev/ttyUSB0, not at a pseudo terminal"):
+        EasycommPort(link)
+    assert str(link.readlink()) == "/dev/ttyUSB0"
+    first = EasycommPort(link.with_name("first"))
+    link.unlink()
+    link.symlink_to(first.path)
+    second = EasycommPort(link)
+    assert str(link.readlink()) == second.path
+    first.close()
+    second.close()
+
+
+def test_only_a_link_that_fails_is_blamed_on_the_link(tmp_path, monkeypatch):
+    with pytest.raises(ConfigError, match=r"rotator can't be made: .*\. Choose another --link\."):
+        EasycommPort(tmp_path / "no" / "rotator")
+
+    def none_left():
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("pty.openpty", none_left)
+    with pytest.raises(ConfigError, match=r"No pseudo terminal can be made: No space left on device") as refused:
+        EasycommPort(tmp_path / "rotator")
+    assert "--link" not in str(refused.value)
+
+
+def test_a_program_that_closes_the_port_is_seen_on_a_mac_too(monkeypatch):
+    """Its system tells so by an end of file, Linux by an error."""
+    port = EasycommPort()
+    with monkeypatch.context() as patched:
+        patched.setattr("os.read", lambda *_: b"")
+        assert port.read() is None
+    port.close()
+
+
 def test_one_that_may_only_look_moves_nothing():
     served = Served(read_only=True)
     say(served, b"AZ20.0 EL50.0\n")

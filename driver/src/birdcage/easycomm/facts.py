@@ -34,6 +34,16 @@ CONTROLLER = Connector(
         "The motors have a supply of their own: USB alone answers, and turns nothing.",
     ),
 )
+AIMS = "its own STOP aims both axes where they stand"
+
+
+def _own_stop(sentence: str) -> tuple[Rung, ...]:
+    command = Rung(
+        means=StopMeans.COMMAND, ends=frozenset({MoveKind.SINGLE}), proven=True, sentence=sentence, lasts_s=STOP_S
+    )
+    return command, POWER_SWITCH
+
+
 FACTS = Facts(
     name="SatNOGS rotator",
     firmware="easycomm",
@@ -46,17 +56,7 @@ FACTS = Facts(
     turn=CableTurn.REPORTED,
     second_same=SecondMove.RETARGET,
     second_other=SecondMove.RETARGET,
-    stop_ladder=(
-        Rung(
-            means=StopMeans.COMMAND,
-            ends=frozenset({MoveKind.SINGLE}),
-            proven=True,
-            sentence="its own STOP aims both axes where they stand; a stepper at full speed passes that by up to 13° "
-            "and comes back",
-            lasts_s=STOP_S,
-        ),
-        POWER_SWITCH,
-    ),
+    stop_ladder=_own_stop(f"{AIMS}; the steppers of a stock one at full speed pass that by up to 13° and come back"),
     slew=None,
     search_switch=SearchSwitch.NEVER_SEARCHES,
     homing_s=STOCK_HOMING_S,
@@ -70,8 +70,10 @@ FACTS = Facts(
     rotctld_name="SatNOGS rotator",
     connectors=(CONTROLLER,),
     handling=Handling(
-        clearance="It turns up to two turns: leave the cable of the antenna slack for both.",
-        north="It has no mark: azimuth 0 is where it points when it gets power. Point it north first.",
+        clearance="An RP2040 turns up to two turns: leave the cable of the antenna slack for both. A stock one runs "
+        "both axes to their switches when it gets power.",
+        north="It has no mark. Azimuth 0 of an RP2040 is where it points when it gets power: point it north first. "
+        "That of a stock one is where its switch is.",
     ),
     origin=by_origin(
         documented="""
@@ -86,7 +88,17 @@ FACTS = Facts(
     ),
 )
 """Of the class, before one was met: the widest that either has, so homing, too."""
-RP2040_FACTS = replace(FACTS, homing_s=None, never_homes=True)
+RP2040_FACTS = replace(
+    FACTS,
+    homing_s=None,
+    never_homes=True,
+    stop_ladder=_own_stop(AIMS),
+    handling=Handling(
+        clearance="It turns up to two turns: leave the cable of the antenna slack for both. It levels its elevation by "
+        "motor when it gets power.",
+        north="It has no mark: azimuth 0 is where it points when it gets power. Point it north first.",
+    ),
+)
 """The RP2040 base station: 16 RPM by 40:15 and 55:40 at a duty of 35 %, and a dead-band of 0.05°."""
 STOCK_FACTS = replace(
     FACTS.with_axes(
@@ -96,6 +108,11 @@ STOCK_FACTS = replace(
     cable=CableRange(0.0, 360.0),
     zero_at_power_up=(),
     boot_s=STOCK_BOOT_S,
+    stop_ladder=_own_stop(f"{AIMS}; a stepper at full speed passes that by up to 13° and comes back"),
+    handling=Handling(
+        clearance="It runs both axes to their switches when it gets power, by up to a whole turn. Nothing stops that.",
+        north="It has no mark: azimuth 0 is where its switch is. Turn its base so that it points north there.",
+    ),
     features={each: feature for each, feature in FEATURES.features.items() if each in STOCK_IDS},
 )
 """The stock controller with steppers: 3200 and 1600 of 86400 steps, and switches at 0."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from birdcage.easycomm.facts import RP2040_FACTS, STOCK_FACTS
+from birdcage.easycomm.facts import FACTS, RP2040_FACTS, STOCK_FACTS
 from birdcage.easycomm.wire import AZIMUTH, SAFE_QUERY, SAFE_STOP
 from birdcage.rotator.facts import Facts
 
@@ -23,6 +23,8 @@ class EasycommKind:
     """How many of an angle it is known to read."""
     homes: bool = False
     """Whether `RESET` finds a switch; else it is never sent."""
+    lines: int = 1
+    """How many lines may answer `query`, or `stop`: each line of the position may come twice."""
     stop_snaps: bool = False
     """Whether the targets in force after STOP are where the axes then stand."""
 
@@ -31,8 +33,12 @@ class EasycommKind:
 RP2040 = EasycommKind(RP2040_FACTS, "EL", "STOP", names_both=False, decimals=2, stop_snaps=True)
 STOCK = EasycommKind(STOCK_FACTS, decimals=2, homes=True)
 OTHER = EasycommKind(
-    replace(STOCK_FACTS, features={}, homing_s=None, never_homes=True, zero_at_power_up=(AZIMUTH,)),
-)
+    replace(
+        STOCK_FACTS, features={}, homing_s=None, never_homes=True, zero_at_power_up=(AZIMUTH,),
+        stop_ladder=FACTS.stop_ladder, handling=FACTS.handling,
+    ),
+    lines=2,
+)  # fmt: skip
 """Any other: it is asked and told only what all of them understand, and does not know by itself where it points."""
 
 

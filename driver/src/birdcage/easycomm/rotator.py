@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping
 
@@ -9,7 +10,7 @@ from birdcage.base.clock import Clock
 from birdcage.base.errors import CommandRefused, LinkError, NoReply, PositionUnknown
 from birdcage.base.reason import Reason
 from birdcage.base.trouble import MotorTrouble
-from birdcage.console.line_session import LineSession
+from birdcage.console.line_session import LineAnswer, LineSession
 from birdcage.console.line_splitter import HeardLine
 from birdcage.easycomm.commands import DOCUMENTED, HAZARDS
 from birdcage.easycomm.facts import FACTS, STOCK_HOMING_S
@@ -28,7 +29,6 @@ from birdcage.easycomm.wire import (
     PROBE,
     RECALIBRATED,
     SAFE_QUERY,
-    SAFE_STOP,
     TOLD,
     VERSION,
     WIRE,
@@ -72,7 +72,11 @@ class EasycommRotator(PlainRotator):
         self._hooks = Hooks()
         self._session: LineSession | None = None
         self._due = 0
-        """Answers to what `stop_now` wrote that are still to come."""
+        """Positions that what `stop_now` wrote is still to bring."""
+        self._stop_at = -math.inf
+        """When it wrote that (monotonic seconds)."""
+        self._owed_until = -math.inf
+        """Until when a question that was given up may still bring a position of its own."""
         self._stopped = False
         """Whether STOP was written since the last set."""
         self._elevation: HeardLine | None = None
@@ -109,7 +113,7 @@ class EasycommRotator(PlainRotator):
         dial = hooks.dial or (lambda name, rate: open_link(name, baud=rate, clock=clock))
         link = dial(address, baud or self.facts.baud)
         self.is_simulated, self._hooks = link.demo, hooks
-        self.line, self._due, self._stopped = PlainLine(hooks.delay_s), 0, False
+        self.line, self._due, self._owed_until = PlainLine(hooks.delay_s), 0, -math.inf
         self._is_met = False
         self._forget()
         self._session = LineSession(
@@ -176,18 +180,18 @@ class EasycommRotator(PlainRotator):
     def _read_position(self) -> dict[str, float]:
         """Ask once where it is by its own count."""
         self._hear_out(self.clock.monotonic() + self.line.delay_s)
-        self._elevation = None
-        match = self.ask(self._query, POSITION)
-        elevation = match[2] or self._heard_elevation(self.clock.monotonic() + self.line.delay_s)
+        answer = self._answer(self._query, POSITION)
+        match, until = answer.match, self.clock.monotonic() + self.line.delay_s
+        elevation = match[2] or self._heard_elevation(answer.at, until)
         told = {AZIMUTH: float(match[1]), ELEVATION: float(elevation)}
         for axis, deg in told.items():
             if abs(deg) > SENSIBLE_DEG[axis]:
                 raise UnreadablePosition(f"The rotator tells {axis} {deg:g}°: the line was damaged.", [match[0]])
         return told
 
-    def _heard_elevation(self, until: float) -> str:
-        """Return the elevation of a firmware that answers in two lines."""
-        while self._elevation is None:
+    def _heard_elevation(self, since: float, until: float) -> str:
+        """Return the elevation of a firmware that answers in two lines: the one behind its azimuth, and none before."""
+        while self._elevation is None or self._elevation.at < since:
             if not self.session.listen(until):
                 raise NoReply("The rotator told its azimuth, and no elevation.", reason=Reason.BLOCKED)
         match = ELEVATION_ALONE.fullmatch(self._elevation.text)
@@ -199,14 +203,28 @@ class EasycommRotator(PlainRotator):
         permit: Callable[[], None] | None = None,
     ) -> re.Match[str]:  # fmt: skip
         """Send a line, and return how its answer matched. NoReply where none came in time."""
+        return self._answer(line, answer, within_s, permit).match
+
+    def _answer(
+        self, line: str, answer: str | re.Pattern[str], within_s: float | None = None,
+        permit: Callable[[], None] | None = None,
+    ) -> LineAnswer:  # fmt: skip
         sent = self.clock.monotonic()
+
+        def note() -> None:
+            if permit is not None:
+                permit()
+            if answer in (POSITION, TOLD):
+                self._owed_until = self.clock.monotonic() + self.line.delay_s
+
         try:
-            told = self.session.ask(line, re.compile(answer), within_s=within_s, permit=permit)
+            told = self.session.ask(line, re.compile(answer), within_s=within_s, permit=note)
         except NoReply:
             self.line.note_silence()
             raise
+        self._owed_until = -math.inf
         self.line.note(sent, self.clock.monotonic())
-        return told.match
+        return told
 
     def send(self, to: Mapping[str, float], *, hurry: bool = False, busy_s: float = 0.0) -> Taken:  # noqa: ARG002
         """Send one axis or both; the other one is named, too, where the firmware needs it.
@@ -246,9 +264,11 @@ class EasycommRotator(PlainRotator):
         """See `Rotator`."""
         if order.by is StopBy.COMMAND:
             self._stopped = True
-        self._due += 1
-        stop = self.kind.stop if self._is_met else SAFE_STOP
-        self.session.interject([stop if order.by is StopBy.COMMAND else self._query])
+        kind = self.kind if self._is_met else OTHER
+        lines = [kind.stop if order.by is StopBy.COMMAND else self._query] * kind.lines
+        self._due += len(lines)
+        self._stop_at = self.clock.monotonic()
+        self.session.interject(lines)
 
     def settle(self, within_s: float) -> tuple[None, ...]:
         """See `Rotator`: every answer tells the position, and none refuses."""
@@ -275,7 +295,10 @@ class EasycommRotator(PlainRotator):
 
     def _hear(self, line: HeardLine) -> None:
         if self._due and POSITION.fullmatch(line.text) is not None:
-            self._due -= 1
+            if line.at < self._stop_at or line.at <= self._owed_until:
+                self._owed_until = -math.inf  # of a question that went out before STOP
+            else:
+                self._due -= 1
         elif ELEVATION_ALONE.fullmatch(line.text) is not None:
             self._elevation = line
         elif any(mark in line.text for mark in BOOT_MARKS):

@@ -80,12 +80,10 @@ class EasycommConversation:
                     asked.append(axis[1])
                 else:
                     wants[axis[1]] = float(axis[2].replace(",", "."))
-            elif (drive := _DRIVE.fullmatch(token)) is not None:
-                if drive[2] is not None and int(drive[2]) == 0:
-                    self._stop()
-                else:
-                    way |= _WAYS[drive[1] or drive[3]]
-            elif token in _STOPS:
+            elif (drive := _DRIVE.fullmatch(token)) is not None and (drive[2] is None or int(drive[2])):
+                way |= _WAYS[drive[1] or drive[3]]
+            elif drive is not None or token in _STOPS:
+                wants, way = {}, MoveDirection(0)  # what stands before it in the line must not outlast it
                 self._stop()
             else:
                 told += self._others(token)

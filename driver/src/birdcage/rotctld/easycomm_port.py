@@ -46,7 +46,9 @@ class EasycommPort:
             data = os.read(self._master, READ_BYTES)
         except BlockingIOError:
             return b""
-        except OSError:  # all who had it open have closed it
+        except OSError:  # as Linux says that all who had it open have closed it
+            data = b""  # as macOS does
+        if not data:
             self._hold()
             return None
         if self._slave >= 0:
@@ -79,12 +81,21 @@ class EasycommPort:
             tty.setraw(self._slave)
             os.set_blocking(self._master, False)
             self.path = os.ttyname(self._slave)
+        except OSError as error:
+            self._let_go()
+            raise ConfigError(
+                f"No pseudo terminal can be made: {error.strerror or error}. Close terminals that you do not need."
+            ) from error
+        try:
             self._point()
         except OSError as error:
             self._let_go()
             raise ConfigError(
-                f"No pseudo terminal can be made: {error.strerror or error}. Choose another --link."
+                f"{self._link} can't be made: {error.strerror or error}. Choose another --link."
             ) from error
+        except ConfigError:
+            self._let_go()
+            raise
 
     def _hold(self) -> None:
         """Hold the program's side again. Answers that the last one has not read are dropped."""
@@ -102,6 +113,16 @@ class EasycommPort:
             return
         if self._link.exists() and not self._link.is_symlink():
             raise ConfigError(f"{self._link} exists and is not a symbolic link. Choose another name for --link.")
+        if self._link.is_symlink() and _kind(str(self._link.readlink())) != _kind(self.path):
+            raise ConfigError(
+                f"{self._link} points at {self._link.readlink()}, not at a pseudo terminal. Choose another name for "
+                "--link."
+            )
         fresh = self._link.with_name(f".{self._link.name}.{os.getpid()}")
         fresh.symlink_to(self.path)
         fresh.replace(self._link)
+
+
+def _kind(path: str) -> str:
+    """Return what the pseudo terminals of a system have in common in their paths."""
+    return path.rstrip("0123456789")
