@@ -233,20 +233,6 @@ def test_what_happens_to_the_other_is_noted_there():
     run(hear, "idle", "idle")
 
 
-def test_the_console_of_one_dish_is_closed_when_the_other_is_shown():
-    async def console(app, pilot):
-        await pilot.press("5")
-        await pilot.pause()
-        assert app.stage.open_sheet is not None
-        await other(pilot)
-        assert app.stage.open_sheet is None
-        await pilot.press("5")
-        await pilot.pause()
-        assert app.stage.open_sheet._tap is app.dishes.all[1].tap
-
-    run(console, "idle", "idle")
-
-
 def in_a_list(widget):
     """Whether it lies in what can be scrolled."""
     return any(

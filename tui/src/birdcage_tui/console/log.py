@@ -25,9 +25,10 @@ class LogView(Pane, can_focus=True):
         "following; End follows again. Space stops the dish here. In the line below it types a space."
     )
 
-    def __init__(self, kept: int = KEPT) -> None:
+    def __init__(self, kept: int = KEPT, *, back: Scrollback | None = None) -> None:
+        """Show these lines, which are taken in further; without, begin with none."""
         super().__init__()
-        self.back = Scrollback(kept)
+        self.back = back or Scrollback(kept)
         self.following = True
         self.top = 0
         """Index of the first row that is seen, while not following."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import cast
+from typing import NamedTuple, cast
 
 from birdcage.base.errors import LeaseDenied
 from textual import events, on
@@ -22,6 +22,7 @@ from birdcage_tui.console.history import History
 from birdcage_tui.console.lines_sent import LinesSent
 from birdcage_tui.console.log import LogView
 from birdcage_tui.console.save import save
+from birdcage_tui.console.scrollback import Scrollback
 from birdcage_tui.console.wire_log import WireLog
 from birdcage_tui.feeds.app_host import AppHost
 from birdcage_tui.shown.allowed import can_release
@@ -40,18 +41,26 @@ NONE = "No sent line contains this."
 KEEP = "Enter accepts. Then n and N step through the matches"
 
 
+class DishLog(NamedTuple):
+    """What the console has seen of one dish. While another one is shown the tap keeps what passes."""
+
+    wire: WireLog
+    back: Scrollback
+
+
 class ConsoleOverlay(Container):
     """Watches the wire; talks to the dish once a line was entered."""
 
-    def __init__(self, shell: ConsoleHost) -> None:
+    def __init__(self, shell: ConsoleHost, log: DishLog | None = None) -> None:
+        """Go on with this log of the dish that is shown; without, begin one."""
         super().__init__(id="console")
-        station = shell.station
-        self._shell, self._tap, self._wire = (
-            shell,
-            shell.tap,
-            WireLog(shell.tap, station),
+        self.dish_log = log or DishLog(WireLog(shell.tap, shell.station), Scrollback())
+        self._shell, self._tap, self._wire = shell, shell.tap, self.dish_log.wire
+        self._pane, self._entry, self._finder = (
+            LogView(back=self.dish_log.back),
+            ConsoleInput(self.do),
+            FindInput(self.do),
         )
-        self._pane, self._entry, self._finder = LogView(), ConsoleInput(self.do), FindInput(self.do)
         self._head, self._hinted, self._prompt, self._keys = HeadLine(), HintLine(), PromptCell(), KeysLine()
         self._sent = LinesSent(shell.station.submit, shell.soon, self._failed)
         history = History(shell.settings.history_file)

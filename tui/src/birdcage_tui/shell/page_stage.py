@@ -21,7 +21,8 @@ from birdcage_tui.widgets.page import Page
 from birdcage_tui.widgets.scope import Scope
 
 if TYPE_CHECKING:
-    from birdcage_tui.console.overlay import ConsoleOverlay
+    from birdcage_tui.console.overlay import ConsoleOverlay, DishLog
+    from birdcage_tui.console.tap import WireTap
 
 
 class StageHost(ConsoleHost, Protocol):
@@ -45,6 +46,8 @@ class PageStage:
         """A first visit takes a while: the next key waits for it, and so the last one pressed is what is seen."""
         self.sheet: ConsoleOverlay | None = None
         """The console, once it was opened."""
+        self._logs: dict[WireTap, DishLog] = {}
+        """What it has seen of each dish."""
         self._pocket: Page | None = None
         self.folded = False
         """Whether the pocket view stands in for every page."""
@@ -178,7 +181,8 @@ class PageStage:
         if self.sheet is None:
             from birdcage_tui.console.overlay import ConsoleOverlay
 
-            self.sheet = ConsoleOverlay(host)
+            self.sheet = ConsoleOverlay(host, self._logs.get(host.tap))
+            self._logs[host.tap] = self.sheet.dish_log
             await app.screen_stack[0].query_one("#stage").mount(self.sheet)
             self.sheet.open()
         elif not self.sheet.is_open:
