@@ -6,8 +6,8 @@ or recognises what they follow. Base case and second row
 are in `tracking_dishes.py`; perfect elements and clock. Errors are angles on the sky against the simulator's true
 direction at 20 Hz, while the target is between floor and ceiling.
 The last line is one JSON object. `--quick` runs a tenth of the passes.
-The Carryout of 2003 is driven by the whole station, and held against its own forecast; so are the kin of the G2, held
-against how far the target goes from one command to the next.
+The Carryout of 2003 is driven by the whole station, and held against its own forecast. The last table has a row for
+each machine that is simulated, beside Gpredict's policies and what it leaves to any driver (`tracking_machines.py`).
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterable, Sequence
 from multiprocessing import Pool
 
 from tracking_dishes import G2, TRAVLER_5
-from tracking_kin import kin_rows
+from tracking_machines import machine_rows
 from tracking_passes import everything, named, spread
 from tracking_peers import PEERS
 from tracking_recognised import RECOGNISED
@@ -39,8 +39,9 @@ BUDGET = {
     "clock_wrong_restored_ratio": 1.2, "velocity_lost_ratio_to_stepping": 1.15,
     "untold_median_rms_deg": 0.15, "untold_no_records_median_rms_deg": 0.3, "untold_ratio_to_forecast": 1.0,
     "untold_max_ratio_to_forecast": 1.0,
-    "g2plus_median_rms_deg": 0.02, "g2plus_untold_ratio_to_a_command": 1.0, "pathway_x1_ratio_to_a_command": 1.0,
 }  # fmt: skip
+KNOWN_TO_MISS = frozenset[str]()
+"""Machines whose row misses its goal, as `docs/tracking.md` says."""
 AT_LEAST = {"times_better_than_move_to_now": 10.0, "times_better_than_gpredict5": 100.0}
 HEAD = f"{'':34}{'median':>8}{'worst':>8}{'median':>8}{'worst':>8}{'within':>9}{'of':>9}{'commands':>10}"
 HEAD2 = f"{'':34}{'rms':>8}{'rms':>8}{'max':>8}{'max':>8}{'0.58°':>9}{'possible':>9}{'a second':>10}"
@@ -86,10 +87,15 @@ def main() -> None:
     _print_all(scores, len(g2))
     with Pool(min(os.cpu_count() or 1, 4)) as pool:
         report = _report(scores) | by_time(spread(cases, max(2, count // 5)), pool)
-        report |= kin_rows(spread(cases, max(2, count // 10)), pool)
-    print(json.dumps({"bench": "tracking", "passes": len(g2), **report, "budget": {**BUDGET, **AT_LEAST}}))
+        machines, goals_missed = machine_rows(spread(cases, max(2, count // 10)), pool)
+    print(
+        json.dumps(
+            {"bench": "tracking", "passes": len(g2), **report, "machines": machines, "budget": {**BUDGET, **AT_LEAST}}
+        )
+    )
     missed = [name for name, most in BUDGET.items() if report[name] > most]
     missed += [name for name, least in AT_LEAST.items() if report[name] < least]
+    missed += [f"goal of {name}" for name in goals_missed if name not in KNOWN_TO_MISS]
     sys.exit(f"outside the budget: {', '.join(missed)}" if missed else 0)
 
 

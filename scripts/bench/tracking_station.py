@@ -52,7 +52,6 @@ class Attempt:
 
     case: Case
     options: str
-    firmware: str = FIRMWARE
     seed: int = 1
 
 
@@ -64,12 +63,8 @@ class Told:
     worst: float
     foreseen_rms: float
     foreseen_worst: float
-    seconds: float
-    commands: int
     beyond: float
     """The greatest excess over the error foreseen for its own half minute, root mean square."""
-    rate_deg_s: float
-    """Of the target, on the sky, root mean square."""
 
     @property
     def ratio(self) -> float:
@@ -81,9 +76,9 @@ def attempt(work: Attempt) -> Told | None:
     """Follow a pass; None where it is out of the dish's reach, or for less than a minute within."""
     clock = VirtualClock(datetime.fromtimestamp(work.case.passing.aos.timestamp() - EARLY_S, UTC))
     options = "&".join(filter(None, (work.options, "latency_min=0.02", "latency_max=0.1", f"seed={work.seed}")))
-    device = open_device(f"{work.firmware}?{options}", clock=clock)
+    device = open_device(f"{FIRMWARE}?{options}", clock=clock)
     settings = StationSettings(
-        port="sim:bench", firmware=work.firmware,
+        port="sim:bench", firmware=FIRMWARE,
         open_link=lambda port, baud: Link(SimPort(device, port, baud=baud), clock),
     )  # fmt: skip
     session = Session(clock, station := Station(clock, settings))
@@ -102,7 +97,7 @@ def attempt(work: Attempt) -> Told | None:
         return None
     forecast = plan.forecast
     station.submit(Pursue(plan, "bench", PursuitOptions(at_end="stay")))
-    times, errors, before = list[float](), list[float](), len(device.shell.received)
+    times, errors = list[float](), list[float]()
     for leg in legs:
         session.step(max(0.0, leg.start_s + SETTLED_S - clock.utc().timestamp()))
         while (now_s := clock.utc().timestamp()) < leg.end_s - 1.0:
@@ -110,11 +105,9 @@ def attempt(work: Attempt) -> Told | None:
             times.append(now_s)
             errors.append(separation(truth.az_deg, truth.el_deg, *plan.sky.at(now_s)))
             session.step(1.0 / SAMPLES_HZ)
-    sent = [line for _at, line in list(device.shell.received)[before:] if line.startswith(("g", "a "))]
     return Told(
-        _rms(errors), max(errors), forecast.rms_deg, forecast.max_deg, times[-1] - times[0], len(sent),
+        _rms(errors), max(errors), forecast.rms_deg, forecast.max_deg,
         _beyond(np.array(times), np.array(errors), forecast.t_s, forecast.error_deg),
-        _rms([separation(*plan.sky.at(at), *plan.sky.at(at + 1.0)) for at in times[:: int(SAMPLES_HZ)]]),
     )  # fmt: skip
 
 

@@ -155,3 +155,19 @@ def test_what_cancels_is_left_alone_and_a_gliding_axis_takes_up_half_the_play(pl
     axis = geared(play_deg=play, mean_overshoot_up_deg=overshoot, mean_overshoot_down_deg=overshoot).azimuth
     assert axis.lead_deg(way) == pytest.approx(math.copysign(1.0, way) * lead)
     assert axis.gliding_lead_deg(way) == pytest.approx(math.copysign(1.0, way) * gliding)
+
+
+@pytest.mark.parametrize(("rate", "behind"), [(0.3, 0.05), (-0.3, 0.05), (0.3, -0.05)])
+def test_axis_that_ends_short_of_each_goal_is_sent_further_and_one_that_runs_past_is_not(rate, behind):
+    axis = replace(CARRYOUT_G2.azimuth, overshoot_deg=0.05)
+
+    class Short(Rig):
+        """Its azimuth stands short of where it was sent, in the direction of travel."""
+
+        def at(self, axis, when=None):
+            return super().at(axis, when) - (math.copysign(1.0, rate) * behind if axis == 0 else 0.0)
+
+    rig = Short(straight(rate, 0.0, seconds=50), CARRYOUT_G2.with_axes(axis)).run(fast)
+    times = np.arange(rig.course.start_s + 30.0, rig.course.end_s - 1.0, 0.1)
+    mean = np.mean([rig.at(0, t) - rig.course.at(t)[0] for t in times]) * math.copysign(1.0, rate)
+    assert mean == pytest.approx(0.0 if behind > 0.0 else 0.05, abs=0.01)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 from birdcage.antenna.motion import plan_axis
@@ -83,3 +84,31 @@ class AxisBelief:
         """Take in a share of what a reading is off: for an axis that never rests, whose small errors add up."""
         if read_deg is not None:
             self._shift_deg += share * shortest_turn(self.at(seen_s)[0], read_deg)
+
+
+LAG_SHARE = 0.15
+"""What a reading counts for the lag: one a second, so six seconds until a change shows."""
+
+
+class AxisLag:
+    """How far an axis stays behind the goals of a stream: a servo with a dead-band ends short of each.
+
+    The mean of readings, from 0 to `most_deg`, how far a rest may lie from its command (`Axis.overshoot_deg`). An axis
+    that runs past its goals has none: play hides that (decision 0035).
+    """
+
+    def __init__(self, most_deg: float) -> None:
+        self._mean_deg = 0.0
+        self._most_deg, self._wildest_deg = most_deg, 2.0 * most_deg
+
+    def take(self, short_deg: float, way_deg: float) -> None:
+        """Take in how far below its goal a reading was, while the target went that way. Nothing of one that stood."""
+        if way_deg:
+            behind_deg = math.copysign(1.0, way_deg) * short_deg
+            behind_deg = min(max(behind_deg, -self._wildest_deg), self._wildest_deg)
+            self._mean_deg += LAG_SHARE * (behind_deg - self._mean_deg)
+
+    def lead_deg(self, way_deg: float) -> float:
+        """Return how much further it is best sent while the target goes that way, signed."""
+        lead_deg = min(max(self._mean_deg, 0.0), self._most_deg)
+        return math.copysign(lead_deg, way_deg) if way_deg else 0.0

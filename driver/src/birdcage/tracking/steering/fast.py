@@ -13,9 +13,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from birdcage.base.geometry import shortest_turn
 from birdcage.tracking.controller_input import ControllerInput
 from birdcage.tracking.curve import Curve
-from birdcage.tracking.steering.axis_belief import AxisBelief, spans
+from birdcage.tracking.steering.axis_belief import AxisBelief, AxisLag, spans
 from birdcage.tracking.steering.latency import Latency
 from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
@@ -119,6 +120,7 @@ class _AxisFollower:
         self.index = self.axis.index
         self.belief = belief or AxisBelief(self.axis, (guide.start_az_deg, guide.start_el_deg)[column], guide.now_s)
         self.sent_s = guide.now_s
+        self.lag = AxisLag(self.axis.overshoot_deg)
 
     def aim(self, course: Curve, acts_s: float, interval: Interval) -> _AxisAim:
         """Choose a goal for a command that acts at a time, and is the last one of this axis for an interval."""
@@ -128,17 +130,28 @@ class _AxisFollower:
             goal = course.at(min(acts_s + ahead_s, self._guide.until_s))[column]
             move_s = self.belief.planned(goal, acts_s).duration_s
             ahead_s = interval.middle_s(move_s) if move_s < interval.mean_s else move_s
-        goal = self.belief.quantised(goal, spans(course)[column])
+        lead_deg = self.lag.lead_deg(self._way_deg(course, acts_s))
+        goal = self.belief.quantised(goal + lead_deg, spans(course)[column])
         off = abs(goal - self.belief.goal_deg)
         return _AxisAim(goal, off * self._lift(course, acts_s), off >= self._least_deg(goal - self.belief.goal_deg))
 
     def turn(self, course: Curve, acts_s: float, latency: Latency) -> AxisTurn:
         """Return what decides when it is its turn again."""
-        column, lift = self._column, self._lift(course, acts_s)
-        before, after = course.at(acts_s - ABOUT_S)[column], course.at(acts_s + ABOUT_S)[column]
-        rate = abs(after - before) / (2.0 * ABOUT_S) * lift
-        least = self._least_deg(after - before) * lift
+        lift = self._lift(course, acts_s)
+        way = self._way_deg(course, acts_s)
+        rate = abs(way) / (2.0 * ABOUT_S) * lift
+        least = self._least_deg(way) * lift
         return AxisTurn(rate, self.sent_s, latency.of(self.index), least)
+
+    def look(self, course: Curve, read_deg: float | None, seen_s: float) -> None:
+        """Compare with a reading, and take in how far the axis stays behind its goals."""
+        at_deg, _ = self.belief.at(seen_s)
+        if self.belief.check(read_deg, seen_s) and read_deg is not None:
+            self.lag.take(shortest_turn(read_deg, at_deg), self._way_deg(course, seen_s))
+
+    def _way_deg(self, course: Curve, at_s: float) -> float:
+        """Return how far the target turns it in the `ABOUT_S` before and after, signed."""
+        return course.at(at_s + ABOUT_S)[self._column] - course.at(at_s - ABOUT_S)[self._column]
 
     def _least_deg(self, way_deg: float) -> float:
         """Return the least way that is worth a command."""
@@ -171,7 +184,7 @@ def steer(
             now_s = seen.now_s
             look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + guide.look_every_s, now_s)
             for follower, read_deg in zip(followers, (seen.az_deg, seen.el_deg), strict=True):
-                follower.belief.check(read_deg, latency.seen_s(seen))
+                follower.look(guide.course(), read_deg, latency.seen_s(seen))
             continue
         course = guide.course()
         turns = tuple(follower.turn(course, now_s, latency) for follower in followers)
