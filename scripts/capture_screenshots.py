@@ -106,6 +106,7 @@ def main() -> None:
     parse.add_argument("names", nargs="*", help=", ".join(names))
     options = parse.parse_args()
     wanted = options.names or names
+    stage.make_repeatable()
     taken = {scene.name: asyncio.run(take(scene)) for scene in scenes.SCENES if scene.name in wanted}
     if scenes.MOVING.name in wanted:
         taken[scenes.MOVING.name] = take_moving(scenes.MOVING)

@@ -63,6 +63,7 @@ def main() -> int:
         "--after", type=float, default=0.0, metavar="SECONDS", help="in the demo: so long after the keys"
     )
     options = parse.parse_args()
+    stage.make_repeatable()
     width, height = map(int, options.size.split("x"))
     options.out.mkdir(parents=True, exist_ok=True)
     names = ["demo"] if options.demo is not None else options.states or stand_in.STATES

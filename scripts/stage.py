@@ -45,18 +45,6 @@ from textual.pilot import Pilot
 STEP_S = 0.1
 FINE_S, COARSE_S = 2.0, 0.5
 """The end of a longer wait is played as a person sees it, what comes before in longer steps."""
-jumping_loop.let_time_jump()  # else a slow machine meets another order of timers and keys, and another picture
-_offer = BackgroundWriter.offer
-
-
-def _written_at_once(writer: BackgroundWriter[object], item: object) -> bool:
-    """Offer an item, and wait for the file: what is read from it is the same each time."""
-    taken = _offer(writer, item)
-    writer.flush()
-    return taken
-
-
-BackgroundWriter.offer = _written_at_once  # type: ignore[method-assign]
 os.environ |= {"COLORTERM": "truecolor", "TERM": "xterm-256color"}  # a map has colours where a terminal does
 START = datetime(2026, 3, 20, 15, 30, tzinfo=UTC)
 """When every picture begins: the same sky each time."""
@@ -69,6 +57,22 @@ HERE = Settings(
 )
 """What the setup of the demo knows of the place."""
 Rows = list[list[tuple[str, object]]]
+
+
+def make_repeatable() -> None:
+    """Have this process take the same pictures each time: by a clock that jumps, with files written at once.
+
+    Else a slow machine meets another order of timers and keys.
+    """
+    jumping_loop.let_time_jump()
+    offer = BackgroundWriter.offer
+
+    def offer_and_flush(writer: BackgroundWriter[object], item: object) -> bool:
+        taken = offer(writer, item)
+        writer.flush()
+        return taken
+
+    BackgroundWriter.offer = offer_and_flush  # type: ignore[method-assign]
 
 
 def rows_of(app: BirdcageApp) -> Rows:

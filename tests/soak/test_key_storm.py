@@ -15,6 +15,7 @@ from tests.shared.night import by_night
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tui"))
 
+import jumping_loop
 from key_storm import WAYS, blow
 
 SIZES = ((80, 24), (120, 36), (160, 48), (60, 20), (40, 12))
@@ -23,8 +24,11 @@ EACH = 2000
 
 @pytest.mark.soak
 @pytest.mark.parametrize("seed", by_night(range(100, 125), 2))
-def test_two_thousand_keys_in_one_app(seed):
+def test_two_thousand_keys_in_one_app(seed, monkeypatch):
+    before = asyncio.get_event_loop_policy()
+    jumping_loop.let_time_jump(monkeypatch.setattr)
     storm = asyncio.run(blow(seed, EACH, SIZES[seed % len(SIZES)]))
+    asyncio.set_event_loop_policy(before)
     assert not storm.wrong, "\n".join(storm.wrong)
     assert len(storm.met) > 5
     assert storm.pressed >= EACH > len(WAYS)
