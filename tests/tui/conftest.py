@@ -17,6 +17,17 @@ sys.path.insert(0, str(Path(__file__).parent))
 
 import jumping_loop
 
+BY_NIGHT = {(200, 60), (240, 70)}
+"""Sizes greater than the three that every widget is held to: what they show is looked at in a night (`-m soak`)."""
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    for item in items:
+        if getattr(item, "callspec", None) and item.callspec.params.get("size") in BY_NIGHT:
+            item.add_marker(pytest.mark.soak)
+            item.add_marker(pytest.mark.night)
+
 
 @pytest.fixture
 def kept(tmp_path):
