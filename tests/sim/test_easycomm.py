@@ -66,6 +66,8 @@ def stock():
         ("PARK", ["AZ0.0 EL30.0"]),
         ("ve", ["VESatNOGS-RP2040-v0.2"]),
         (";AZ", []),
+        ("AZEL", ["AZ0.0 EL30.0"]),
+        ("GET_EL", ["AZ0.0 EL30.0"]),
         ("NONSENSE", []),
         ("AZ45.0 EL31.0", []),
         ("IP0", []),
@@ -152,12 +154,12 @@ def test_zero_leaves_the_target_so_a_driven_axis_runs_on(rp2040):
 
 
 def test_monitor_streams_ten_lines_a_second_until_it_is_sent_again(rp2040):
-    assert rp2040.say("MONITOR", 0.05) == ["MONITOR ON"]
+    assert rp2040.say("MONITOR", 0.05) == ["MONITOR ON (send MON again to stop)"]
     rp2040.clock.advance(1.0)
     lines = rp2040.heard()
     assert 9 <= len(lines) <= 11
     assert all(line.startswith("AZ_T=0 EL_T=3783  AZ_END=0") for line in lines)
-    assert "MONITOR OFF" in rp2040.say("MON")
+    assert "MONITOR OFF (send MON again to stop)" in rp2040.say("MON")
     rp2040.clock.advance(1.0)
     assert rp2040.heard() == []
 
@@ -260,3 +262,31 @@ def test_the_stock_firmware_homes_at_its_switches_and_reads_nothing_meanwhile(st
     assert failing.say("GE") == ["GE4"]
     assert failing.say("GS") == ["GS8"]
     assert failing.turned("AZ50.0 EL20.0")[0] == pytest.approx(0.0, abs=0.1), "it moves no more"
+
+
+def test_the_stock_firmware_homes_again_after_rb_and_reads_nothing_meanwhile():
+    failing = Bench("&kind=stock&az=90&el=30&home_fails=1")
+    failing.say("RB", 5.0)
+    assert failing.say("GE", 5.0) == []
+    failing.clock.advance(90.0)
+    assert failing.heard() == ["GE4"]
+
+
+def test_after_rst_the_stock_firmware_answers_only_its_status_until_rb(stock):
+    stock.say("RST")
+    assert stock.say("AZ EL") == []
+    assert stock.say("GS") + stock.say("GE") == ["GS8", "GE16"]
+    stock.say("RB", 120.0)
+    assert stock.say("GE") == ["GE1"]
+
+
+@pytest.mark.parametrize(
+    ("line", "az_deg"), [("AZx EL30.0", 90.0), ("AZ1e1 EL30.0", 90.0), ("AZ L", 0.0), ("AZ80,5 EL30.0", 80.0)]
+)
+def test_a_damaged_set_of_the_stock_firmware(stock, line, az_deg):
+    assert stock.turned(line) == pytest.approx((az_deg, 30.0), abs=0.01)
+
+
+def test_an_rp2040_reads_numbers_as_c_does_and_writes_a_long_dash(rp2040):
+    assert rp2040.turned("AZ1e1 EL30.0")[0] == pytest.approx(10.0, abs=0.06)
+    assert Bench("&imu=0").say("RECAL") == ["IMU not found \u2014 cannot recalibrate"]

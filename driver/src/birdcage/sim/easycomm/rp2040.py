@@ -18,6 +18,8 @@ VERSION = "SatNOGS-RP2040-v0.2"
 LIMITS = {"AZ": (-360.0, 360.0), "EL": (0.0, 180.0)}
 """It goes to the nearer end of these without a word."""
 USB_S = 1.5
+DASH = "\xe2\x80\x94"
+"""The three bytes of a long dash, one by one: the wire is not text."""
 MONITOR_S = 0.1
 LEVEL_DEG, LEVEL_DUTY, LEVEL_STEP_S, LEVEL_LONGEST_S = 1.5, 0.25, 0.05, 15.0
 """How it drives its elevation level at power-up: how near, by which duty, how often it looks, for how long."""
@@ -50,7 +52,7 @@ class Rp2040Board:
             "GS": lambda: f"GS{2 if self.off_target else 1}\n", "GE": lambda: f"GE{self.error}\n",
             "TICKS": self._ticks, "INFO": self._info, "ZERO": self._zero, "Z": self._zero, "MONITOR": self._monitor,
             "MON": self._monitor, "GAINS": self._gains, "IMU": self._imu, "RECAL": self._recal,
-            "HELP": lambda: "".join(f"{line}\n" for line in HELP),
+            "AZEL": self._position, "HELP": self._help, "?": self._help,
         }  # fmt: skip
 
     @property
@@ -91,7 +93,7 @@ class Rp2040Board:
             axis.drive(now, 0.0)
         yield Pause(USB_S)
         if not self.settings.imu:
-            yield "IMU not found - EL assumed 0 (place antenna horizontal)\n"
+            yield f"IMU not found {DASH} EL assumed 0 (place antenna horizontal)\n"
         elif home and self.settings.el_homes:
             yield from self._level()
         else:
@@ -121,7 +123,7 @@ class Rp2040Board:
         self._el.drive(self.now_s, 0.0)
         tilt = self._tilt(20)
         self._calibrate(tilt)
-        yield f"EL homing timeout - calibrated from IMU at {tilt:.1f} deg\n"
+        yield f"EL homing timeout {DASH} calibrated from IMU at {tilt:.1f} deg\n"
 
     def _answer(self, word: str) -> str:
         upper = word.upper()
@@ -130,6 +132,8 @@ class Rp2040Board:
             if (deg := number_after(word, name)) is not None:
                 self._go(axis, deg)
                 return ""
+            if upper == f"GET_{name}":
+                return self._position()
             if upper == name:
                 told = f"{name}{axis.told(self.now_s):.1f}\n"
                 return told if self.settings.replies == "apart" else self._position()
@@ -199,6 +203,9 @@ class Rp2040Board:
             axis.set_ticks(self.now_s, 0)
         return "Encoders zeroed\n"
 
+    def _help(self) -> str:
+        return "".join(f"{line}\n" for line in HELP)
+
     def _gains(self) -> str:
         gains = self.dish.gains
         return f"KP={gains.kp:.3f} KI={gains.ki:.3f} KD={gains.kd:.3f}\n"
@@ -206,11 +213,11 @@ class Rp2040Board:
     def _monitor(self) -> str:
         if self.monitoring:
             self.monitoring = 0
-            return "MONITOR OFF\n"
+            return "MONITOR OFF (send MON again to stop)\n"
         self._streams += 1
         self.monitoring = self._streams
         self._next_line(self._streams)
-        return "MONITOR ON\n"
+        return "MONITOR ON (send MON again to stop)\n"
 
     def _next_line(self, stream: int) -> None:
         def line() -> None:
@@ -244,7 +251,7 @@ class Rp2040Board:
 
     def _recal(self) -> str:
         if not self.settings.imu:
-            return "IMU not found - cannot recalibrate\n"
+            return f"IMU not found {DASH} cannot recalibrate\n"
         tilt = self._tilt(20)
         self._calibrate(tilt)
         return f"EL recalibrated from IMU: {tilt:.1f} deg\n"

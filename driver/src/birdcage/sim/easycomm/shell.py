@@ -51,7 +51,8 @@ class LineShell(ScriptShell):
             try:
                 step = next(self._script)
             except StopIteration:
-                self._script = None
+                if run == self._run:  # else the line has restarted the board, whose start goes on
+                    self._script = None
                 return
             if run != self._run:
                 return  # the line has restarted the board: what it would have done next is gone

@@ -7,10 +7,10 @@ from birdcage.sim.easycomm.knobs import EasycommSettings
 from birdcage.sim.easycomm.mechanics import StepperDish
 from birdcage.sim.easycomm.tokens import number_after, pair
 from birdcage.sim.firmware import FirmwareHost
-from birdcage.sim.shell import Die, Pause, Script
+from birdcage.sim.shell import Pause, Script
 
 VERSION = "SatNOGS-v2.2"
-NO_ERROR, HOMING_ERROR = 1, 4
+NO_ERROR, HOMING_ERROR, WATCHDOG_ERROR = 1, 4, 16
 IDLE, POINTING, ERROR = 1, 4, 8
 REBOOT_S = 2.0
 SPEEDS = {"VU": (1, 1), "VD": (1, -1), "VL": (0, 1), "VR": (0, -1)}
@@ -34,6 +34,8 @@ class StockBoard:
 
     def run(self, line: str) -> Script:
         """Carry out one line; what it does not know it ignores."""
+        if self.error == WATCHDOG_ERROR and line[:2] not in ("GS", "GE", "RB"):
+            return  # its watchdog has taken over, and knows only these
         if line.startswith("AZ EL"):
             yield self._position()
         elif line.startswith("AZ"):
@@ -55,7 +57,9 @@ class StockBoard:
             yield self._position()
             self._aim(self.config[6], self.config[7])
         elif line.startswith("RST"):
-            yield Die()
+            self.error = WATCHDOG_ERROR
+            for axis in self.dish.axes:
+                axis.halt(self.now_s)
         elif line.startswith("RB"):
             yield Pause(REBOOT_S)
             self._host.restart()
@@ -121,19 +125,16 @@ class StockBoard:
         return pair(self._told(0), self._told(1))
 
     def _set(self, line: str) -> None:
-        """Take `AZ<deg> EL<deg>`: an azimuth without a number is 0, and nothing checks a limit."""
+        """Take `AZ<deg> EL<deg>`: without a number it is 0, with a letter unchanged; nothing checks a limit."""
         first, *others = line.split(" ")
-        az_deg = number_after(first, "AZ")
-        el_deg = number_after(others[0], "EL") if others else None
-        if others and others[0].startswith("EL") and el_deg is None:
-            el_deg = 0.0
-        self._aim(0.0 if az_deg is None else az_deg, el_deg)
+        self._aim(_angle(first, "AZ"), _angle(others[0], "EL") if others else None)
 
-    def _aim(self, az_deg: float, el_deg: float | None) -> None:
+    def _aim(self, az_deg: float | None, el_deg: float | None) -> None:
         if self.error != NO_ERROR:
             return
         self.config[8] = 1.0
-        self._axis(0).retarget(self.now_s, az_deg)
+        if az_deg is not None:
+            self._axis(0).retarget(self.now_s, az_deg)
         if el_deg is not None:
             self._axis(1).retarget(self.now_s, el_deg)
 
@@ -149,3 +150,10 @@ class StockBoard:
         else:
             goal = axis.data.high_deg if rate > 0.0 else axis.data.low_deg
             axis.retarget(self.now_s, goal, rate_deg_s=min(abs(rate), axis.data.max_rate_deg_s))
+
+
+def _angle(word: str, command: str) -> float | None:
+    """Return the angle that a word sets; None where it sets none."""
+    if not word.startswith(command) or any(each.isalpha() for each in word[len(command) :]):
+        return None
+    return number_after(word, command) or 0.0
