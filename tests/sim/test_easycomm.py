@@ -231,15 +231,14 @@ def test_a_bare_az_turns_the_stock_firmware_to_0_unless_it_is_a_later_one(stock)
     assert later.where()[0] == pytest.approx(90.0)
 
 
-def test_the_stock_firmware_goes_parks_and_turns_at_a_speed(stock):
+def test_the_stock_firmware_goes_and_parks_and_only_notes_a_speed(stock):
     assert stock.turned("AZ100.0 EL40.0") == pytest.approx((100.0, 40.0), abs=0.01)
     stock.say("CW7,20")
     assert stock.say("CR 7") == ["7,20.00"]
     assert stock.turned("PARK") == pytest.approx((20.0, 0.0), abs=0.01)
-    stock.say("VL2000", 3.0)
-    assert stock.say("IP7") == ["IP7,2.00"]
-    stock.say("VL0", 3.0)
-    assert not stock.device.truth().moving
+    assert stock.say("CR 9") == ["9,0"]
+    assert stock.turned("VL2000") == pytest.approx((20.0, 0.0), abs=0.01)
+    assert stock.say("CR 9") == ["9,1"]
 
 
 def test_the_stock_firmware_passes_by_where_it_is_stopped_and_comes_back(stock):

@@ -32,7 +32,7 @@ _LISTED = (
     "IP | <0 to 8> | temperature, switches, angles, loads, speeds (stock)",
     "CR | <1 to 9> | reads gains and park position (stock)",
     "CW | <1 to 8>,<value> | sets them (stock)",
-    "VU | <mdeg/s> | raises the elevation; VD lowers it, VL and VR turn the azimuth (stock)",
+    "VU | <mdeg/s> | raises the elevation; VD lowers it, VL and VR turn the azimuth (stock, not its steppers)",
     "RB | | restarts the controller, which then homes (stock)",
 )  # fmt: skip
 DOCUMENTED = tuple(

@@ -13,8 +13,8 @@ VERSION = "SatNOGS-v2.2"
 NO_ERROR, HOMING_ERROR, WATCHDOG_ERROR = 1, 4, 16
 IDLE, POINTING, ERROR = 1, 4, 8
 REBOOT_S = 2.0
-SPEEDS = {"VU": (1, 1), "VD": (1, -1), "VL": (0, 1), "VR": (0, -1)}
-"""Which axis a velocity in thousandths of deg/s turns, and which way."""
+SPEEDS = "VU", "VD", "VL", "VR"
+"""Velocities in thousandths of deg/s. Its loop for steppers turns by targets alone, so they only change the mode."""
 
 
 class StockBoard:
@@ -46,7 +46,7 @@ class StockBoard:
         elif line == "EL" and self.settings.bare_az == "answer":
             yield f"EL{self._told(1):.1f}\n"
         elif line[:2] in SPEEDS:
-            self._turn(line)
+            self.config[8] = 1.0
         elif line.startswith("SA SE"):
             yield self._position()
             self._aim(self._told(0), self._told(1))
@@ -132,24 +132,11 @@ class StockBoard:
     def _aim(self, az_deg: float | None, el_deg: float | None) -> None:
         if self.error != NO_ERROR:
             return
-        self.config[8] = 1.0
+        self.config[8] = 0.0
         if az_deg is not None:
             self._axis(0).retarget(self.now_s, az_deg)
         if el_deg is not None:
             self._axis(1).retarget(self.now_s, el_deg)
-
-    def _turn(self, line: str) -> None:
-        motor, way = SPEEDS[line[:2]]
-        thousandths = number_after(line, line[:2])
-        if thousandths is None or self.error != NO_ERROR:
-            return
-        self.config[8] = 0.0
-        axis, rate = self._axis(motor), way * thousandths / 1000.0
-        if rate == 0.0:
-            axis.brake(self.now_s)
-        else:
-            goal = axis.data.high_deg if rate > 0.0 else axis.data.low_deg
-            axis.retarget(self.now_s, goal, rate_deg_s=min(abs(rate), axis.data.max_rate_deg_s))
 
 
 def _angle(word: str, command: str) -> float | None:
