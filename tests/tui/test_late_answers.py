@@ -155,6 +155,24 @@ def test_elements_that_could_not_be_read_are_asked_again_only_where_they_were_ty
     assert run(add, "idle", "idle") == ((False, ["Line 2 is wrong.", ""]) if switched else (True, ["", ""]))
 
 
+def test_a_step_of_the_setup_that_is_under_way_keeps_its_page():
+    async def change(app, pilot):
+        await pilot.press("8")
+        await pilot.pause()
+        engine = app.page.engine
+        engine.change("home", busy="homing both axes")
+        app.paint()
+        await other(pilot)
+        at_work = app.dishes.shown.tag, noted(app)
+        engine.change("home", busy="")
+        app.paint()
+        await other(pilot)
+        return *at_work, app.dishes.shown.tag
+
+    words = "Setup is at work. Wait: homing both axes. Then O shows the other dish."
+    assert run(change, "idle", "idle", size=(120, 36)) == ("1", [words, ""], "2")
+
+
 def test_a_question_that_came_up_while_the_pages_were_removed_keeps_the_dish_that_it_is_about(monkeypatch):
     idle = page_stage.idle
 

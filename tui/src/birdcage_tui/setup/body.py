@@ -92,6 +92,11 @@ class SetupBody(SetupLayout):
             self.views = self.engine.steps()
 
     @property
+    def under_way(self) -> str:
+        """The step that is being done: only this page's engine ends it, and gives control back."""
+        return next((step.busy for step in self.views if step.busy), "")
+
+    @property
     def host(self) -> SetupHost:
         """The app."""
         return cast(SetupHost, self.app)

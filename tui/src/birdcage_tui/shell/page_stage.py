@@ -111,6 +111,13 @@ class PageStage:
             name = (pages.current or "page-dashboard").removeprefix("page-")
             if self._is_asked:
                 return  # a question about this dish came up meanwhile
+            under_way = next(
+                (page.under_way for page in pages.children if isinstance(page, Page) and page.under_way), ""
+            )
+            if under_way:
+                self._host.note(f"Setup is at work. Wait: {under_way}. Then O shows the other dish.")
+                self._host.paint()
+                return
             pages.current = None  # from here on no page opens a dialog late
             screen.query_one(GotoLine).close()
             screen.set_focus(None)

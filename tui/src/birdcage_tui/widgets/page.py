@@ -62,6 +62,11 @@ class Page(Container):
         view = self.host.view()
         return len(self.app.screen_stack) == 1 and self.scope in view.scopes and not view.typing
 
+    @property
+    def under_way(self) -> str:
+        """What of its dish would be lost with the page, in words that follow "Wait: "; empty: nothing."""
+        return ""
+
     def releases_first(self) -> bool:
         """Release what is held, or acknowledge a fault, before Enter does anything else; return whether it did."""
         if can_release(self.host.view()) is not None:
