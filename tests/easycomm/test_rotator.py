@@ -18,6 +18,7 @@ from birdcage.rotator.verdict import Grade
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Jog, Raw, Read, Release, Set, Sync, Watch
 from birdcage.station.state import Activity
 from birdcage.testing import MachineBench, Stage
+from birdcage.testing.features import opened
 
 from tests.testing.test_easycomm import rotator
 
@@ -361,3 +362,11 @@ def test_each_fact_of_the_class_has_somebody_who_stands_for_it():
     for facts in (FACTS, STOCK_FACTS):
         assert facts.origin_of("cable.min_deg") is not None
         assert facts.origin_of("stop_ladder") is not None
+
+
+def test_a_target_behind_a_motor_that_ran_names_both_axes():
+    with opened(MachineBench("easycomm", rotator(RP2040), stops=(), near_deg=0.15)) as (machine, twin):
+        machine.send({"azimuth": 90.0, "elevation": 30.0})
+        assert machine.run("elevation", -0.1) == -0.1
+        machine.send({"azimuth": 91.0})
+        assert [line for _, line in twin.device.shell.received if "AZ91.00" in line] == ["AZ91.00 EL30.00"]

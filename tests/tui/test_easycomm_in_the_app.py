@@ -95,3 +95,61 @@ def test_f5_warns_of_a_line_that_drives_a_motor_past_its_limits():
         assert "DUTY_AZ0.2" not in lines(house), "it is asked first"
 
     in_the_app(check)
+
+
+async def on_the_motor(house):
+    """Select the azimuth's motor on F4, and agree to its hazard."""
+    await told(house)
+    await house.pilot.press("f4", "m")
+    for _ in range(6):
+        await house.step(1.0)
+    while "Hold + to run the azimuth motor at 0.1" not in house.text():
+        await house.pilot.press("down")
+        await house.step(0.1)
+    await house.pilot.press("plus")
+    await house.step(0.1)
+    assert "allow the keys" in house.text()
+    await house.pilot.press("y")
+    await house.step(0.1)
+
+
+def test_a_held_key_runs_a_motor_and_letting_go_sends_stop():
+    async def check(house):
+        await on_the_motor(house)
+        assert not any(line.startswith("DUTY") for line in lines(house)), "the question alone runs nothing"
+        for _ in range(20):
+            await house.pilot.press("plus")
+            await house.step(0.1)
+        assert lines(house).count("DUTY_AZ0.10") == 1
+        assert house.device.truth().moving
+        assert "STOP" not in lines(house)
+        assert "MOTOR" in house.text()
+        for _ in range(10):
+            await house.step(0.1)
+        assert lines(house).count("STOP") == 1
+        assert "No longer held: STOP was sent." in house.text()
+        await house.step(2.0)
+        assert not house.device.truth().moving
+        await house.pilot.press("minus")
+        await house.step(0.1)
+        assert lines(house)[-1] != "STOP"
+        assert "DUTY_AZ-0.10" in lines(house)
+
+    in_the_app(check, size=(160, 48))
+
+
+def test_space_ends_a_run_and_the_key_that_is_still_held_begins_none():
+    async def check(house):
+        await on_the_motor(house)
+        await house.pilot.press("plus")
+        await house.step(0.5)
+        await house.pilot.press("space")
+        await house.pilot.press("plus")
+        await house.step(2.0)
+        await house.pilot.press("plus")
+        await house.step(2.0)
+        assert [line for line in lines(house) if line.startswith("DUTY")] == ["DUTY_AZ0.10"]
+        assert not house.device.truth().moving
+        assert "HELD" in house.text()
+
+    in_the_app(check)

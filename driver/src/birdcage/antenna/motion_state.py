@@ -30,6 +30,8 @@ class MotionState:
         self._busy: MoveKind | None = None
         self.taken = 0
         """How many motions the machine has taken, at least in one axis."""
+        self.motor_runs = False
+        """Whether a motor was set running without a target, and the machine was not seen at rest since its STOP."""
         self.is_kept = False
         """Whether nothing of the motion was let out yet: a STOP that is latched now keeps all of it."""
         self._before: DishMotion | None = None
@@ -89,6 +91,7 @@ class MotionState:
 
     def end(self) -> None:
         """The machine rests."""
+        self.motor_runs = False
         self.assume(None)
 
     def see_at_rest(self, at: float) -> None:

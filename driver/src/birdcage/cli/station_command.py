@@ -176,7 +176,7 @@ class StationCommand(ABC):
         """Whether the dish moves because of this command."""
         return self.state.motion is not None or self.state.activity in (
             Activity.SLEWING, Activity.STOPPING, Activity.HOMING, Activity.STOWING, Activity.FOLLOWING,
-            Activity.SWEEPING,
+            Activity.SWEEPING, Activity.MOTOR_RUN,
         )  # fmt: skip
 
     def stopped_since(self, since: float) -> StopReport | None:

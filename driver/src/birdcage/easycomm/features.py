@@ -6,7 +6,19 @@ import re
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from birdcage.rotator.feature import VERSION, Cost, Feature, FeatureKind, FeaturePage, HealthMark, Range, Value, Writer
+from birdcage.easycomm.wire import AZIMUTH, ELEVATION
+from birdcage.rotator.feature import (
+    VERSION,
+    Cost,
+    Feature,
+    FeatureKind,
+    FeaturePage,
+    HealthMark,
+    HeldMotor,
+    Range,
+    Value,
+    Writer,
+)
 from birdcage.rotator.feature_table import FeatureRow, FeatureTable
 
 if TYPE_CHECKING:
@@ -28,6 +40,14 @@ RECAL_HAZARD = (
 ZERO_HAZARD = (
     "Both axes will be counted from where they stand now, and the loop lets go of them. What birdcage knows of the "
     "direction is lost: tell it anew with `birdcage sync AZ EL`."
+)
+DUTY_RANGE = Range(-0.35, 0.35)
+"""Of the supply. The firmware takes -1 to 1; its own loop never gives more than this, at which an axis is fastest."""
+DUTY = 0.1
+DUTY_HAZARD = (
+    "The motor turns while you hold the key, and STOP is sent when you let go. The firmware has no limit here, and "
+    "does not end this by itself. If this computer, its cable or this program fails while it turns, only the switch of "
+    "the motor supply ends it. Keep the swing clear, and a hand at that switch."
 )
 Ask = Callable[["EasycommRotator"], Mapping[str, Value]]
 
@@ -88,6 +108,13 @@ def _zero(rotator: EasycommRotator, _value: Value) -> Mapping[str, Value]:
     return {"zero": True}
 
 
+def _run(axis: str) -> Callable[[EasycommRotator, Value], Mapping[str, Value]]:
+    def write(rotator: EasycommRotator, value: Value) -> Mapping[str, Value]:
+        return {f"duty.{axis}": rotator.run(axis, float(value))}
+
+    return write
+
+
 def _indexed(index: int, name: str) -> Ask:
     """Return what reads one of the stock firmware's inputs (`IP0` to `IP8`)."""
 
@@ -113,6 +140,18 @@ def _gain(name: str, label: str) -> FeatureRow:
         ),
         _gains,
         _set_gain(name),
+    )  # fmt: skip
+
+
+def _duty(axis: str, word: str) -> FeatureRow:
+    return FeatureRow(
+        Feature(
+            f"duty.{axis}", f"Run the motor, {axis}", "", FeatureKind.HELD, DUTY_RANGE, Writer.WHILE_HELD, DUTY_HAZARD,
+            cost=Cost(while_moving=True), told=False, page=FeaturePage.MOTORS, group="Run while held",
+            asked=f"DUTY_{word}", held=HeldMotor(axis, DUTY),
+            note="A share of the motor supply. Below about 0.05 a motor may not turn at all.",
+        ),
+        write=_run(axis),
     )  # fmt: skip
 
 
@@ -149,6 +188,8 @@ _RP2040 = (
                 hazard=ZERO_HAZARD, page=FeaturePage.MOTORS, group="Encoders", asked="ZERO", cost=Cost(5)),
         write=_zero,
     ),
+    _duty(AZIMUTH, "AZ"),
+    _duty(ELEVATION, "EL"),
     _gain("kp", "Proportional gain"),
     _gain("ki", "Integral gain"),
     _gain("kd", "Derivative gain"),

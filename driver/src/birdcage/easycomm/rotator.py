@@ -340,6 +340,16 @@ class EasycommRotator(PlainRotator):
                 "No accelerometer is fitted, so the elevation was not changed.", reason=Reason.UNSUPPORTED
             )
 
+    def run(self, axis: str, duty: float) -> float:
+        """Give a motor a share of its supply, without end (`DUTY_AZ`, `DUTY_EL`), and return what it took.
+
+        Nothing but STOP and a new target ends that. Raises as `ask`.
+        """
+        name = AXIS_WORDS[axis]
+        self._forget()
+        told = self.ask(f"DUTY_{name}{duty:.2f}", rf"{name} duty=(-?[\d.]+)", permit=self._hooks.permit)
+        return float(told[1])
+
     def zero(self) -> None:
         """Count both encoders from here (`ZERO`), with the loop off: it would go on to its targets.
 

@@ -69,6 +69,9 @@ class FeatureKind(Enum):
     """True or false."""
     MOMENTARY = "momentary"
     """No value at all: writing it does something, and nothing can be read."""
+    HELD = "held"
+    """A number that drives a motor without end: it runs only while it is asked for, again and again (`Feature.held`).
+    """
 
 
 class Writer(Enum):
@@ -80,6 +83,8 @@ class Writer(Enum):
     """It is saved, and in force from the next power-up on."""
     AT_ONCE = "at once"
     """It is done, and over."""
+    WHILE_HELD = "while held"
+    """The machine itself would go on: whoever writes it has to send STOP."""
 
 
 class FeaturePage(Enum):
@@ -140,6 +145,16 @@ class HealthMark:
 
 
 @dataclass(frozen=True, slots=True)
+class HeldMotor:
+    """Which motor a feature drives while it is held. Greater values turn it towards greater angles, if wired so."""
+
+    axis: str
+    """By its name."""
+    value: float
+    """What it is run at unless somebody asks for more, in the feature's unit: little."""
+
+
+@dataclass(frozen=True, slots=True)
 class Feature:
     """One row of the table."""
 
@@ -173,6 +188,8 @@ class Feature:
 
     Of what can only be set: what sets it. Empty where no such line is known.
     """
+    held: HeldMotor | None = None
+    """What it drives, of a kind that is `HELD`. Its range ends where the axis goes at its full speed."""
 
     @property
     def is_readable(self) -> bool:
@@ -192,7 +209,7 @@ class Feature:
         elif self.kind is FeatureKind.SWITCH:
             if not isinstance(value, bool):
                 raise OutOfRange(f"{self.label}: {value!r} is neither on nor off. Nothing was sent.")
-        elif self.kind is FeatureKind.NUMBER:
+        elif self.kind in (FeatureKind.NUMBER, FeatureKind.HELD):
             self._check_number(value)
         elif self.kind is FeatureKind.TEXT and not (isinstance(value, str) and value.isprintable()):
             raise OutOfRange(f"{self.label}: {value!r} is no line of plain text. Nothing was sent.")

@@ -12,7 +12,9 @@ AT_LIMIT_DEG = 0.1
 """So near to a limit the dish stands at it: it rests up to 0.06 deg from where it was sent, and a step on top."""
 MOVING_TO_DEG = 0.1
 """An axis that has no further to go than this does not count as moving."""
-BUSY_WITH = (Activity.HOMING, Activity.STOWING, Activity.SWEEPING, Activity.INITIALIZING)
+BUSY_WITH = (
+    Activity.HOMING, Activity.STOWING, Activity.SWEEPING, Activity.INITIALIZING, Activity.MOTOR_RUN,
+)  # fmt: skip
 
 
 def status_words(state: StationState, *, busy: bool) -> tuple[str, ...]:

@@ -8,9 +8,10 @@ from birdcage.base.errors import CommandRefused, NoReply
 from birdcage.rotator.feature import Reading
 from birdcage.rotator.feature_table import ends_reading
 from birdcage.rotator.ladder import MoveKind
+from birdcage.station.motor_run_exchange import MotorRunExchange
 from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
-from birdcage.tracking.steps import ReadFeatures, WriteFeature
+from birdcage.tracking.steps import HomeAxis, ReadFeatures, RunMotor, TakeReferences, WriteFeature
 
 
 class DishExchanges:
@@ -18,8 +19,18 @@ class DishExchanges:
 
     def __init__(self, parts: Parts) -> None:
         self._parts, self._antenna, self._mover = parts, parts.antenna, parts.mover
+        self._run = MotorRunExchange(parts)
         self._homes = False
         """Whether the dish is shown as homing because of this."""
+
+    def carry_out(self, step: HomeAxis | RunMotor | TakeReferences) -> None:
+        """Do one that has no answer but that it was done."""
+        if isinstance(step, HomeAxis):
+            self.home(step.axis)
+        elif isinstance(step, RunMotor):
+            self._run.go(step)
+        else:
+            self.take_references(whole=step.whole)
 
     def home(self, axis: int) -> None:
         """Find the reference of an axis, a motor number. Nothing gets through to the dish meanwhile."""
@@ -62,6 +73,7 @@ class DishExchanges:
 
     def drop(self) -> None:
         """What was under way is over, or cut short."""
+        self._run.end()
         if self._homes:
             self._homes = False
             self._mover.activity(Activity.UNKNOWN, "")

@@ -200,6 +200,9 @@ class DishMonitor:
         self._met = True
         self._starting.answers()
         self.boot_log.ended()
+        if self._antenna.moving.motor_runs:  # it was left running as the line was lost: nothing else ends that
+            self._stopper.call("birdcage", HeldReason.LINK)
+            self._stopper.take_calls()
         if self._store.state.activity is Activity.INITIALIZING:
             self._mover.activity(Activity.UNKNOWN, "")
         self.look_again()
@@ -331,6 +334,7 @@ class DishMonitor:
         """Drop what is known of the position."""
         # A dish that starts finds its references, or says that it has none.
         self._antenna.gate.released.clear()
+        self._antenna.moving.motor_runs = False
         self._antenna.moving.forget()
         self._reader.forget_survey()
         self._reader.forget(reason)
@@ -346,7 +350,7 @@ class DishMonitor:
     def interrupted(self, reason: HeldReason) -> None:
         """The dish was out of sight: what moved is given up, and nothing moves by itself afterwards."""
         state = self._store.state
-        moving = self._mover.is_moving or state.activity is Activity.FOLLOWING
+        moving = self._mover.is_moving or state.activity in (Activity.FOLLOWING, Activity.MOTOR_RUN)
         holder = state.holder
         self._parts.signals.interrupted(reason)
         self._mover.fail(

@@ -14,7 +14,7 @@ from birdcage.station.parts import Parts
 from birdcage.station.state import Activity
 from birdcage.station.watches import EXCURSION_PERIOD_S, MENU_LINES, NONSENSE, RETRY_S, RSSI_READS, STEADY_RETRY_S
 
-MOVES_ON = (Activity.SLEWING, Activity.FOLLOWING, Activity.MOVING_UNASKED)
+MOVES_ON = (Activity.SLEWING, Activity.FOLLOWING, Activity.MOVING_UNASKED, Activity.MOTOR_RUN)
 """What a dish does while a feature may be read that costs it nothing then; homing and stowing are left alone."""
 STEADY_OTHER_S = 2.5
 """The least time between two readings of other features, while the signal is watched steadily."""

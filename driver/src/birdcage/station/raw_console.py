@@ -25,7 +25,9 @@ from birdcage.station.raw_effects import RawEffects
 from birdcage.station.state import Activity, LinkPhase
 
 LONGEST_LINE = 120
-BUSY = (Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING, Activity.SWEEPING, Activity.HOMING)
+BUSY = (
+    Activity.SLEWING, Activity.FOLLOWING, Activity.STOWING, Activity.SWEEPING, Activity.HOMING, Activity.MOTOR_RUN,
+)  # fmt: skip
 """Characters. No command that is known needs a third of it, and what a firmware does with more is unknown."""
 
 

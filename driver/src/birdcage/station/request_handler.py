@@ -15,6 +15,7 @@ from birdcage.station.events import ClientIgnored, End, FaultAcknowledged
 from birdcage.station.features import FeatureHandler
 from birdcage.station.lost_control import LostControl
 from birdcage.station.motor_power import MotorPower
+from birdcage.station.motor_runs import MotorRuns
 from birdcage.station.mover import Job
 from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
@@ -48,6 +49,7 @@ class RequestHandler:
         self._pursuits = Pursuits(parts, host)
         self._unattended = ""
         """Whose last motion no person had asked for; empty if one had."""
+        self._motor_runs = MotorRuns(parts, host)
         self._motors, self._features = MotorPower(parts), FeatureHandler(parts)
         self._settings = OwnSettingsHandler(parts, self._features.note_written)
         self._lost_control, self._syncing = LostControl(parts), Syncing(parts)
@@ -71,6 +73,8 @@ class RequestHandler:
                 return
             case ask.Drive():
                 self._drive(request)
+            case ask.Run():
+                self._motor_runs.run(request)
             case ask.EndMotion(holder):
                 self._end_motion(holder)
             case ask.BeginTask(kind, values, holder, asked):

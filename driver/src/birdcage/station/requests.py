@@ -10,7 +10,8 @@ from birdcage.base.config import Settings
 from birdcage.rotator.feature import Value
 from birdcage.rotator.verdict import Grade
 from birdcage.station.pursuit_state import PursuitOptions
-from birdcage.station.setting_requests import ReadSettings as ReadSettings  # noqa: PLC0414 - faces ask for it by this module
+from birdcage.station.run_request import Run as Run  # noqa: PLC0414 - faces ask for it by this module
+from birdcage.station.setting_requests import ReadSettings as ReadSettings  # noqa: PLC0414
 from birdcage.station.setting_requests import SaveSettings as SaveSettings  # noqa: PLC0414
 from birdcage.station.setting_requests import WriteSettings as WriteSettings  # noqa: PLC0414
 from birdcage.station.sync_request import Sync as Sync  # noqa: PLC0414
@@ -382,7 +383,7 @@ class AcceptLimits:
 
 
 Request = (
-    Goto | Follow | Pursue | EndPursuit | Drive | EndMotion | BeginTask | ResumeTask | DropTask | Jog | TurnSkew
+    Goto | Follow | Pursue | EndPursuit | Drive | Run | EndMotion | BeginTask | ResumeTask | DropTask | Jog | TurnSkew
     | Stop | Release | Home | Sync | ReleaseMotors | Engage | Stow | Park | SetSpeed | Read | Set | Raw | ListCommands
     | ProbePort | Connect | ApplySettings | ReloadSettings | SetSearch | ReadSettings
     | WriteSettings | SaveSettings | AcquireLease | ReleaseLease | Watch | Unwatch

@@ -52,6 +52,8 @@ class Activity(Enum):
     FOLLOWING = "following"
     """Kept on a target by a pursuit."""
     MOVING_UNASKED = "moving unasked"
+    MOTOR_RUN = "motor run"
+    """One motor runs without a target, while somebody holds a key (`Run`)."""
 
 
 MOVING = frozenset(
@@ -63,6 +65,7 @@ MOVING = frozenset(
         Activity.STOWING,
         Activity.SWEEPING,
         Activity.MOVING_UNASKED,
+        Activity.MOTOR_RUN,
     }
 )
 """What a dish does that is not at rest."""

@@ -30,6 +30,7 @@ from birdcage.tracking.steps import (
     LimitSpeeds,
     PointAt,
     ReadFeatures,
+    RunMotor,
     Send,
     SlewTo,
     Step,
@@ -100,7 +101,7 @@ class StepRunner:
     @property
     def moves(self) -> bool:
         """Whether the step may move the dish, and needs the lease."""
-        return isinstance(self.step, Send | SlewTo | PointAt | LimitSpeeds | HomeAxis | SweepAxis)
+        return isinstance(self.step, Send | SlewTo | PointAt | LimitSpeeds | HomeAxis | SweepAxis | RunMotor)
 
     def due(self, now: float) -> float | None:
         """Return when to go on with the step, `now` for at once, in monotonic seconds; None while the mover has it."""
@@ -163,16 +164,14 @@ class StepRunner:
             return self._read(patient=step.patient)
         if isinstance(step, LimitSpeeds):
             return self._limit(step)
-        if isinstance(step, HomeAxis):
-            self._exchanges.home(step.axis)
+        if isinstance(step, HomeAxis | RunMotor | TakeReferences):
+            self._exchanges.carry_out(step)
         elif isinstance(step, CheckSweep):
             self.sweeping.check(step)
         elif isinstance(step, FindWay):
             return clear_way(self._antenna.gate, step, self.now_s)
         elif isinstance(step, SweepAxis):
             return self._swept(step)
-        elif isinstance(step, TakeReferences):
-            self._exchanges.take_references(whole=step.whole)
         elif isinstance(step, ReadFeatures | WriteFeature):
             readings = self._exchanges.features(step)
             return StepResult(self.now_s, readings=readings)

@@ -137,7 +137,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
             return ("STOP ends the TV search",)
         case Activity.STOWING | Activity.MOVING_UNASKED | Activity.UNKNOWN:
             return _unsure(dish, "STOP may not hold the dish.")
-        case Activity.SLEWING | Activity.FOLLOWING:
+        case Activity.SLEWING | Activity.FOLLOWING | Activity.MOTOR_RUN:
             if by is StopMeans.WAIT:
                 return ("STOP at end of move",)
             proven = dish is not None and any(rung.means is by and rung.proven for rung in dish.stop_ladder)

@@ -106,8 +106,8 @@ class Stopper:
         return self._at_once()
 
     def _at_once(self) -> StopAction:
-        unplanned = UNPLANNED.get(self._store.state.activity, Unplanned.NONE)
-        return self._strategy.at_once(unplanned, self._store.clock)
+        by = UNPLANNED.get(self._store.state.activity, Unplanned.NONE)
+        return self._strategy.at_once(Unplanned.SEEN if self._antenna.moving.motor_runs else by, self._store.clock)
 
     def _reach(self, action: StopAction) -> StopReach:
         if action.means.is_sent or (action.order is not None and self._strategy.anywhere):

@@ -11,7 +11,7 @@ from birdcage.base.clock import VirtualClock
 from birdcage.base.errors import BirdcageError, CommandRefused, OutOfRange
 from birdcage.base.reason import Reason
 from birdcage.rotator import machines
-from birdcage.rotator.facts import SearchSwitch
+from birdcage.rotator.facts import Facts, SearchSwitch
 from birdcage.rotator.feature import (
     END_TV_SEARCH,
     HEALTH,
@@ -35,7 +35,7 @@ NEAR = 0.01
 """How far what is read back may lie from what was written, of the whole range: machines count in steps."""
 KINDS: dict[FeatureKind, type | tuple[type, ...]] = {
     FeatureKind.NUMBER: (float, int), FeatureKind.TEXT: str, FeatureKind.LINES: str, FeatureKind.SWITCH: bool,
-    FeatureKind.MOMENTARY: bool,
+    FeatureKind.MOMENTARY: bool, FeatureKind.HELD: (float, int),
 }  # fmt: skip
 
 
@@ -92,8 +92,30 @@ class FeatureContract:
             )
             require(each.is_readable or each.is_writable, f"{name} can neither be read nor set")
             require(each.range is None or each.range.low < each.range.high, f"{name}: {each.range} is no range")
-            require(each.range is None or each.kind is FeatureKind.NUMBER, f"{name} is no number, and has a range")
+            held = each.kind is FeatureKind.HELD
+            require(
+                each.range is None or held or each.kind is FeatureKind.NUMBER, f"{name} is no number, and has a range"
+            )
+            require(
+                held is (each.held is not None) is (each.writer is Writer.WHILE_HELD),
+                f"{name} is {each.kind.value}, written {each.writer.value}, and drives {each.held}",
+            )
+            if each.held is not None:
+                self._is_held_soundly(facts, each)
             require(each.cost.lines > 0 and each.cost.min_interval_s >= 0.0, f"{name} costs {each.cost}")
+
+    @staticmethod
+    def _is_held_soundly(facts: Facts, feature: Feature) -> None:
+        name, limits, held = feature.id, feature.range, feature.held
+        assert held is not None
+        require(held.axis in {axis.name for axis in facts.axes}, f"{name} drives {held.axis}, which is no axis")
+        require(
+            limits is not None and limits.low < 0.0 < limits.high < math.inf and limits.holds(held.value),
+            f"{name} is held at {held.value}, of {limits}",
+        )
+        require(
+            not feature.told and bool(feature.hazard), f"{name} moves the machine, so it is asked about, and no value"
+        )
 
     def test_what_is_read_has_its_unit_and_lies_in_its_range(self, bench: MachineBench) -> None:
         """Each of them is read, and nothing moves."""
@@ -151,7 +173,7 @@ class FeatureContract:
             for each in rotator.features.values():
                 if each.is_readable and each.is_writable:
                     self._is_taken(rotator, each)
-                elif each.is_writable:
+                elif each.is_writable and each.kind is not FeatureKind.HELD:  # that moves it
                     self._is_sent(rotator, twin, each)
             require(twin.truth() == before and not twin.taken(), "writing has moved it")
 

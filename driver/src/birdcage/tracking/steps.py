@@ -120,6 +120,14 @@ class WriteFeature:
 
 
 @dataclass(frozen=True, slots=True)
+class RunMotor:
+    """Have a motor run without a target, by a feature that is `HELD`. Whoever drives sends STOP on every way out."""
+
+    id: str
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
 class CheckSweep:
     """Judge the sweep that is to begin at a true direction, before anything is sent for it."""
 
@@ -162,6 +170,7 @@ Step: TypeAlias = (
     | TakeReferences
     | ReadFeatures
     | WriteFeature
+    | RunMotor
     | CheckSweep
     | SweepAxis
     | FindWay

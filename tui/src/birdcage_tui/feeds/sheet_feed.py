@@ -114,6 +114,11 @@ class SheetFeed:
         before = self._station.state.readings.get(feature.id)
         self._submit_set(FeatureChange(feature, None if before is None else before.value, value), None, epoch)
 
+    def hold_at(self, feature: Feature, value: float) -> None:
+        """Keep at which value a motor is run while its key is held. Sends nothing."""
+        self._answers[feature.id] = Reading(value, feature.unit, self._clock.monotonic(), self._clock.utc())
+        self._changed()
+
     def undo(self, change: FeatureChange, epoch: int) -> None:
         """Put back what was set last; a person was told its hazard, and agreed."""
         if change in self._changes and change.before is not None:

@@ -9,6 +9,7 @@ from birdcage.base.clock import Clock
 from birdcage.station.access import FaceStation
 
 from birdcage_tui.feeds.health_feed import HealthFeed
+from birdcage_tui.feeds.motor_run_feed import MotorRunFeed
 from birdcage_tui.feeds.own_settings_feed import OwnSettingsFeed
 from birdcage_tui.feeds.sheet_feed import SheetFeed
 
@@ -22,6 +23,8 @@ class SystemFeeds:
     ) -> None:  # fmt: skip
         self.sheets = SheetFeed(station, clock, soon, changed, say)
         """What the dish tells, and lets be set."""
+        self.motor_run = MotorRunFeed(station, clock, soon, say)
+        """Runs a motor while its key is held."""
         self.own_settings = OwnSettingsFeed(station, clock, soon, changed, say, backups)
         """The settings that the dish keeps itself."""
         self.health = HealthFeed(

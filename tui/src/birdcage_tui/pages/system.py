@@ -145,7 +145,9 @@ class SystemPage(Page):
     def do(self, command: str) -> bool:
         """Carry out a command of the page."""
         scope, _, name = command.partition("-")
-        owner = "motors" if command == "sheet-test" else {"settings": "settings", "health": "health"}.get(scope)
+        owner = {"settings": "settings", "health": "health"}.get(scope)
+        if command in ("sheet-test", "sheet-run", "sheet-run-back"):
+            owner = "motors"
         if owner not in (None, self.tab):  # chosen by its name, from another tab
             self._show_tab(str(owner))
         now = self.list

@@ -158,6 +158,8 @@ def _unplanned(view: View) -> str | None:
         stopped = state.last_stop
         in_vain = stopped is not None and (stopped.confirmed is False or stopped.means == "none")
         return stopped.sentence if stopped is not None and in_vain else "Not seen at rest yet."
+    if activity is Activity.MOTOR_RUN:
+        return f"The {state.activity_text} motor runs while it is held."
     if activity in (Activity.SLEWING, Activity.FOLLOWING) or state.motion is not None:
         return "The dish is moving."
     if state.raw_motion:

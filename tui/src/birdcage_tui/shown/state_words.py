@@ -27,6 +27,7 @@ ACTIVITY = {
     Activity.INITIALIZING: "STARTING",
     Activity.MOVING_UNASKED: "MOVES!",
     Activity.FOLLOWING: "FOLLOW",
+    Activity.MOTOR_RUN: "MOTOR",
 }
 SEARCH = {
     TvSearch.RUNNING: "TV search RUNNING",

@@ -161,6 +161,8 @@ def cell_text(
 ) -> CellText:  # fmt: skip
     """Return a value with its age; of several lines how many there are."""
     reading = readings.get(feature.id)
+    if reading is None and feature.held is not None:
+        return CellText(number_words(feature.held.value), None)
     if reading is None:
         return CellText("do it" if feature.kind is FeatureKind.MOMENTARY else "--", None)
     return CellText(value_words(feature, reading, with_unit=with_unit), max(0.0, now - reading.at))
@@ -201,4 +203,6 @@ def may_be_set_words(feature: Feature) -> str:
     if not feature.is_writable:
         return ""
     limits = "" if feature.range is None else f" {feature.range} {feature.unit}".rstrip()
+    if feature.held is not None:
+        return f"e chooses at which value it runs, up to {0.0 if feature.range is None else feature.range.high:g}"
     return f"Set{limits}, {feature.writer.value}" if feature.kind is not FeatureKind.MOMENTARY else "Done at once"

@@ -22,6 +22,7 @@ HOLDS = {
     Writer.UNTIL_RESTART: "Takes effect at once, until the dish restarts.",
     Writer.FROM_POWER_UP: "It is saved, and takes effect at the next power-up.",
     Writer.AT_ONCE: "Done at once.",
+    Writer.WHILE_HELD: "It runs while its key is held.",
 }
 """How long a new value holds."""
 

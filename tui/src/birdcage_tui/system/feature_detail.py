@@ -11,6 +11,18 @@ from birdcage_tui.shown.view import View
 from birdcage_tui.system.cursor_pane import Line
 
 
+def held_words(feature: Feature, value: float) -> str:
+    """Say what holding a key does to a motor, and what letting go of it does."""
+    from birdcage.station.tasks.motor_run import FIRST_S, HOLD_S
+
+    assert feature.held is not None, "whoever asks has looked"
+    return (
+        f"Hold + to run the {feature.held.axis} motor at {value:g}, - at {-value:g}. A terminal tells only repeats of "
+        f"a key. STOP is sent {HOLD_S:g} s after the last one, {FIRST_S:g} s after a single press, and short of a "
+        "limit. Space stops it at once."
+    )
+
+
 def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
     """Return what there is to say of a feature, what counts most first, wrapped to a width."""
     told = cell_text(feature, sheet_readings(view), view.now)
@@ -21,6 +33,8 @@ def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
 
     if feature.kind is not FeatureKind.MOMENTARY:
         say("strong", f"{told.value}" if told.age_s is None else f"{told.value}, {age_text(told.age_s)} ago")
+    if feature.held is not None:
+        say("text", held_words(feature, float(told.value.split()[0])))
     if (why := view.sheet.failed.get(feature.id)) is not None:
         say("warn", f"▲ {why}")
     say("text", f"{words}." if (words := may_be_set_words(feature)) else "")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from birdcage.rotator.feature import DISEQC, Feature, FeatureKind, Value
 from birdcage.station.requests import BeginTask
 
+from birdcage_tui.shown.system_sheet import cell_text
 from birdcage_tui.shown.view import YOU
 from birdcage_tui.system.ask_feature import (
     DETAIL_WIDTH,
@@ -36,6 +37,8 @@ class SheetHands:
 
     def __init__(self, page: Page) -> None:
         self._page = page
+        self._agreed: tuple[str, int] | None = None
+        """Which motor may be run by keys, and on which dish: a person has agreed to that."""
 
     @property
     def _feed(self) -> SheetFeed:
@@ -58,6 +61,8 @@ class SheetHands:
                 self._undo()
             case "test":
                 self._test()
+            case "run" | "run-back":
+                self._run(sheet, -1.0 if name == "run-back" else 1.0)
             case _:
                 return False
         return True
@@ -93,8 +98,13 @@ class SheetHands:
             self._page.app.push_screen(value_field(feature, view), lambda values: self._typed(feature, values))
 
     def _typed(self, feature: Feature, values: Values | None) -> None:
-        if values is not None:
-            self._ask(feature, read_value(feature, values[0]))
+        if values is None:
+            return
+        value = read_value(feature, values[0])
+        if feature.held is not None:
+            self._feed.hold_at(feature, abs(float(value)))
+        else:
+            self._ask(feature, value)
 
     def _ask(self, feature: Feature, value: Value) -> None:
         epoch = self._feed.epoch
@@ -105,6 +115,25 @@ class SheetHands:
 
         said = _coax_words(value) if feature.id == DISEQC else ""
         self._page.app.push_screen(set_question(feature, value, self._page.host.view(), said), answered)
+
+    def _run(self, sheet: SheetPane, sign: float) -> None:
+        """Run the motor under the cursor while the key is held; the first time a question comes before."""
+        view = self._page.host.view()
+        feature = sheet.chosen(view)
+        if feature is None or feature.held is None:
+            self._page.host.say("No motor that runs while held is selected: see the rows under Run while held.")
+            return
+        if self._agreed == (agreed := (feature.id, self._feed.epoch)):
+            value = abs(float(cell_text(feature, view.sheet.answers, view.now).value))
+            self._page.host.system.motor_run.press(feature, sign * value)
+            return
+
+        def answered(yes: bool | None) -> None:
+            if yes:
+                self._agreed = agreed
+                self._page.host.say("Nothing runs yet. Hold + or -: it runs until you let go.")
+
+        self._page.app.push_screen(QuestionScreen(feature.label, feature.hazard, "allow the keys"), answered)
 
     def _test(self) -> None:
         from birdcage.diagnostics.motor_test_task import KIND

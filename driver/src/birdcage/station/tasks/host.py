@@ -114,10 +114,13 @@ class TaskHost:
     def make_way(self, holder: str) -> None:
         """Somebody is about to move the dish: a task of theirs that has changed its speeds ends, and restores them.
 
+        So does one that runs a motor, with STOP.
+
         Else it goes on until the dish has taken the motion: see `by_hand`.
         """
-        if self.speeds.are_changed:
+        if self.speeds.are_changed or self._parts.antenna.moving.motor_runs:
             self.by_hand(holder)
+        if self.speeds.are_changed:
             self.restore()
 
     def by_hand(self, holder: str) -> None:
