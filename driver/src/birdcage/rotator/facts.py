@@ -189,8 +189,9 @@ class Facts:
 
     Whoever watches, follows or stops it asks no oftener.
     """
-    least_line_interval_s: float = 0.0
-    """The least time from one line that moves it, or asks where it is, to the next, in seconds of the wire.
+    least_line_interval_s: float | None = None
+    """The least time from one line that moves it, or asks where it is, to the next, in seconds of the wire; None where
+    none comes too fast.
 
     What is planned or forecast counts with it.
     """

@@ -151,7 +151,7 @@ def saw_tooth_deg(
 
 def _interval_s(model: Facts, across: Floats, up: Floats, rests_s: float) -> Floats:
     """Return how long it takes until an axis is sent again; `rests_s`: how long the dish stands before."""
-    pace_s = model.least_line_interval_s
+    pace_s = model.least_line_interval_s or 0.0
     one_s = max(LATENCY_S + model.bits_s(_LINE_BITS), pace_s)
     interval = np.full(len(across), 2.0 * one_s)
     if not model.moves_in_turn:

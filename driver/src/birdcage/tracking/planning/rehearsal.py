@@ -124,7 +124,7 @@ class _Stage:
             self.now_s = max(self.now_s, step.until_s)
             return StepResult(self.now_s)
         self.now_s = max(self.now_s, self._turn_s)
-        self._turn_s = self.now_s + self._model.least_line_interval_s
+        self._turn_s = self.now_s + (self._model.least_line_interval_s or 0.0)
         self.now_s += self._model.bits_s(_LINE_BITS) + self._chance.uniform(*LATENCY_S)
         seen_s = self.now_s
         if isinstance(step, SlewStep):
