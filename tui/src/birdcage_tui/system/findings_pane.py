@@ -100,7 +100,6 @@ class FindingsPane(CursorPane):
             lines = [("dim", "Reading the journal …" if known else "The dish is not known yet.")]
         else:
             lines = [("good", "● Nothing needs attention.")]
-            lines += [("dim", line) for line in wrap(now.health.looked_at, max(cells.width - 2, 10))]
         for y, (ink, words) in enumerate(lines):
             cells.put(1, y, words, ink)
 

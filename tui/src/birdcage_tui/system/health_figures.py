@@ -7,7 +7,7 @@ from birdcage.station.state import TvSearch
 
 from birdcage_tui.drawing.canvas import Cells
 from birdcage_tui.drawing.cell_text import elide
-from birdcage_tui.shown.state_words import SEARCH, age_text
+from birdcage_tui.shown.state_words import SEARCH, age_text, unhomed_word
 from birdcage_tui.shown.system_sheet import number_words
 from birdcage_tui.shown.view import View
 from birdcage_tui.widgets.pane import Pane
@@ -87,13 +87,13 @@ class LinkFiguresPane(Pane):
         lost = f"{trip}{link.unanswered:,} of {link.asked:,} lost" if link.asked else f"{trip}lost: --"
         last = "" if link.last_restart is None else f", last {link.last_restart.utc:%d %b %H:%M}Z"
         supply = "--" if link.lnb_supply is None else f"{number_words(float(link.lnb_supply.value))} V"
-        homed = {True: "homed", False: "NOT HOMED", None: "--"}[link.homed]
+        position = {True: "known", False: unhomed_word(view), None: "--"}[link.homed]
         search = "--" if link.search is TvSearch.UNKNOWN else SEARCH[link.search]
         rows = (
             ("replies", lost, "text"),
             ("restarts", f"{link.restarts}{last}", "text"),
             ("link lost", f"silent {link.silences}, port gone {link.port_losses}", "text"),
-            ("position", homed, "warn" if link.homed is False else "text"),
+            ("position", position, "warn" if link.homed is False else "text"),
             ("TV search", search.removeprefix("TV search "), "text"),
             ("coax", supply, "text"),
         )
