@@ -225,10 +225,14 @@ class BirdcageApp(DishApp):
         self.stage.typing_changed()
 
     def means_stop(self, event: events.Key) -> bool:
-        """Return whether a key is STOP now: Ctrl+C, Space outside text, Esc while anything may move. Any thread."""
+        """Return whether a key is STOP now: Ctrl+C, Space outside text, Esc while anything may move. Any thread.
+
+        Text is a field that has its place on the screen: one that was opened and not drawn yet, nobody types in.
+        """
         if event.key == "space":
             screens = self.screen_stack  # none when the app ends
-            return not (screens and isinstance(screens[-1].focused, Input | TextArea))
+            focused = screens[-1].focused if screens else None
+            return not (isinstance(focused, Input | TextArea) and focused.region.area)
         return event.key == "ctrl+c" or (event.key == "escape" and self.view_may_move())
 
     def _stop(self) -> None:
