@@ -119,7 +119,7 @@ def test_it_is_not_told_while_somebody_else_turns_it_slowly(stage, axis):
 
 
 def fall_silent(stage):
-    """While somebody looks: whom nobody asks has no answer to lose."""
+    """With the position watched: a dish that is asked nothing has no answer to lose."""
     stage.station.submit(Watch("you", frozenset({"position"}), 2.0))
     stage.step(1.0)
     stage.twin.mute()

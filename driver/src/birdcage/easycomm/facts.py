@@ -111,7 +111,7 @@ STOCK_FACTS = replace(
     stop_ladder=_own_stop(f"{AIMS}; a stepper at full speed passes that by up to 13° and comes back"),
     handling=Handling(
         clearance="It runs both axes to their switches when it gets power, by up to a whole turn. Nothing stops that.",
-        north="It has no mark: azimuth 0 is where its switch is. Turn its base so that it points north there.",
+        north="It has no mark: azimuth 0 is where its switch is. Turn its base until it points north there.",
     ),
     features={each: feature for each, feature in FEATURES.features.items() if each in STOCK_IDS},
 )

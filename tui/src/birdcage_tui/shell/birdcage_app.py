@@ -227,7 +227,7 @@ class BirdcageApp(DishApp):
     def means_stop(self, event: events.Key) -> bool:
         """Return whether a key is STOP now: Ctrl+C, Space outside text, Esc while anything may move. Any thread.
 
-        Text is a field that has its place on the screen: one that was opened and not drawn yet, nobody types in.
+        A text field counts from when it has its place on the screen: before, a person can't mean it.
         """
         if event.key == "space":
             screens = self.screen_stack  # none when the app ends

@@ -107,7 +107,7 @@ def _ask(dish: Wanted, owner: Owner) -> Found | None:
 
 
 def _name(status: dict[str, Any]) -> str:
-    """Return what tells one dish from another: `Trav'ler at /dev/ttyUSB1`."""
+    """Return what tells one dish from another: `NAME at /dev/ttyUSB1`."""
     from birdcage.station.known import model_of
 
     model = model_of(status["firmware"])
