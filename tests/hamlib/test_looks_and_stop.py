@@ -103,6 +103,14 @@ def test_after_a_step_beside_a_stopped_axis_that_one_stays():
         assert stage.truth.el_deg == pytest.approx(before.el_deg, abs=0.02)
 
 
+def test_an_axis_that_stays_is_sent_the_angle_that_the_server_told():
+    """Not a whole turn from it: without a range from `\\dump_state`, 270 may be a way round from -90."""
+    with stage_at("seed=1&az=-90&el=30&dump_state=error&min_az=-180&max_az=180") as stage:
+        stage.ready()
+        stage.do(Jog(0.0, 2.0, "you"))
+        assert [line for line in stage.twin.said() if line.startswith("P ")] == ["P -90.00 32.00"]
+
+
 def test_a_target_of_the_raw_console_is_not_taken_back_by_the_next_step():
     with stage_at() as stage:
         stage.ready()

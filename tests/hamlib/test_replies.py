@@ -150,25 +150,54 @@ def test_an_azimuth_a_whole_turn_off_its_range(told_deg, cable, turn_deg):
 
 
 class TestAims:
+    @staticmethod
+    def see(aims, az_deg, el_deg, at, *, circle=False):
+        aims.see({"az": az_deg, "el": el_deg}, at, aims.era, circle=circle)
+
     def test_the_axis_that_stays_goes_where_it_was_sent(self):
         aims = AxisAims()
-        aims.see({"az": 10.0, "el": 20.0}, 0.0)
-        assert aims.with_({"az": 50.0}) == {"az": 50.0, "el": 20.0}
+        self.see(aims, 10.0, 20.0, 0.0)
+        assert aims.with_({"az": 50.0}, circle=False) == {"az": 50.0, "el": 20.0}
         aims.sent({"az": 50.0, "el": 40.0}, 1.0)
-        aims.see({"az": 11.0, "el": 21.0}, 2.0)
-        assert aims.with_({"az": 60.0}) == {"az": 60.0, "el": 40.0}
+        self.see(aims, 11.0, 21.0, 2.0)
+        assert aims.with_({"az": 60.0}, circle=False) == {"az": 60.0, "el": 40.0}
 
     def test_after_stop_it_stays_where_it_is_seen(self):
         aims = AxisAims()
         aims.sent({"az": 50.0, "el": 40.0}, 1.0)
-        aims.forget_sent()
-        aims.see({"az": 12.0, "el": 22.0}, 2.0)
-        assert aims.with_({"az": 60.0}) == {"az": 60.0, "el": 22.0}
+        aims.forget()
+        self.see(aims, 12.0, 22.0, 2.0)
+        assert aims.with_({"az": 60.0}, circle=False) == {"az": 60.0, "el": 22.0}
+
+    def test_what_was_asked_for_before_stop_is_too_old_after_it(self):
+        aims = AxisAims()
+        asked = aims.era
+        aims.forget()
+        aims.see({"az": 12.0, "el": 22.0}, 2.0, asked, circle=False)
+        assert not aims.knows("el")
+
+    def test_a_refusal_that_comes_after_stop_brings_nothing_back(self):
+        aims = AxisAims()
+        self.see(aims, 10.0, 20.0, 0.0)
+        before = aims.known
+        aims.sent({"az": 50.0, "el": 40.0}, 1.0)
+        aims.forget()
+        aims.back_to(before)
+        assert not aims.knows("el")
 
     def test_one_that_rests_elsewhere_was_sent_there_by_somebody_else(self):
         aims = AxisAims()
         aims.sent({"az": 50.0, "el": 40.0}, 0.0)
-        aims.see({"az": 50.0, "el": 30.0}, 10.0)
-        aims.see({"az": 50.0, "el": 30.01}, 11.0)
-        assert aims.with_({}) == {"az": 50.0, "el": 30.01}
+        self.see(aims, 50.0, 30.0, 10.0)
+        self.see(aims, 50.0, 30.01, 11.0)
+        assert aims.with_({}, circle=False) == {"az": 50.0, "el": 30.01}
         assert not AxisAims().knows("az")
+
+    def test_a_whole_turn_off_it_is_still_where_it_was_sent(self):
+        aims = AxisAims()
+        aims.sent({"az": 270.0, "el": 40.0}, 0.0)
+        self.see(aims, -90.0, 40.0, 10.0, circle=True)
+        self.see(aims, -90.0, 40.0, 11.0, circle=True)
+        assert aims.with_({}, circle=False)["az"] == 270.0
+        assert aims.with_({"az": -90.0, "el": 41.0}, circle=True) == {"az": 270.0, "el": 41.0}
+        assert aims.with_({"az": -89.99}, circle=True)["az"] == -89.99

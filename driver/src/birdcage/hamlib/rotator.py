@@ -219,18 +219,23 @@ class HamlibRotator(PlainRotator):
         return min(max(HURRY_S, HURRY_SHARE * usual_s), self.line.delay_s)
 
     def _ask_position(self, within_s: float | None) -> dict[str, float]:
-        reply = PositionReply("p")
+        reply, era = PositionReply("p"), self._aims.era
         with self._lateness(reply, within_s):
             self.ask(reply, within_s=within_s)
         az_deg, el_deg = reply.angles
         if not (math.isfinite(az_deg) and math.isfinite(el_deg)):
             raise UnreadablePosition(f"The server told {' and '.join(reply.lines)}: no position.", reply.lines)
         self.printed_deg = max(PRINTED_LEAST_DEG, *map(_printed_deg, reply.lines))
-        cable = self.facts.cable
-        reported = self.facts.turn is CableTurn.REPORTED
-        angles = {AZ: on_cable(az_deg, cable) if reported else az_deg % 360.0, EL: el_deg}
-        self._aims.see(angles, self.clock.monotonic())
-        return angles
+        tells_turn = self._tells_turn
+        if tells_turn:
+            az_deg = on_cable(az_deg, self.facts.cable)
+        # As it is told, as that is what an axis that stays is sent: a whole turn off it may go round once.
+        self._aims.see({AZ: az_deg, EL: el_deg}, self.clock.monotonic(), era, circle=not tells_turn)
+        return {AZ: az_deg if tells_turn else az_deg % 360.0, EL: el_deg}
+
+    @property
+    def _tells_turn(self) -> bool:
+        return self.facts.turn is CableTurn.REPORTED
 
     @contextmanager
     def _lateness(self, reply: ServerReply, within_s: float | None) -> Iterator[None]:
@@ -250,14 +255,20 @@ class HamlibRotator(PlainRotator):
         """See `Rotator`."""
         if any(axis not in to and not self._aims.knows(axis) for axis in (AZ, EL)):
             self.look()
-        aims = self._aims.with_(to)
+        before, aims = self._aims.known, self._aims.with_(to, circle=not self._tells_turn)
         reply, within_s = CodeReply(_to(aims)), self._hurry_s if hurry else None
+
+        def permit() -> None:
+            if self._hooks.permit is not None:
+                self._hooks.permit()
+            self._aims.sent(aims, self.clock.monotonic())
+
         try:
             with self._lateness(reply, within_s):
-                self.ask(reply, within_s=within_s, permit=self._hooks.permit)
+                self.ask(reply, within_s=within_s, permit=permit)
         finally:
-            if reply.sent_at and not reply.is_refused:
-                self._aims.sent(aims, reply.sent_at)
+            if reply.is_refused:
+                self._aims.back_to(before)
         return Taken(sure=reply.code == 0, said=f"RPRT {reply.code}", took_s=self.line.took_s)
 
     def stop_now(self, order: StopOrder) -> None:
@@ -265,13 +276,16 @@ class HamlibRotator(PlainRotator):
         with self._lock:
             if order.by is StopBy.COMMAND:
                 reply: ServerReply = CodeReply("S")
-                self._aims.forget_sent()
             elif order.by is StopBy.RETARGET:
-                reply = CodeReply(_to(self._aims.with_(order.aim_deg)))
-                self._aims.forget_sent()
+                reply = CodeReply(_to(self._aims.with_(order.aim_deg, circle=not self._tells_turn)))
             else:
                 reply = PositionReply("p")
-            self._stops.append(self.session.post(reply))
+            stops = isinstance(reply, CodeReply)
+            try:
+                self._stops.append(self.session.post(reply))
+            finally:
+                if stops:
+                    self._aims.forget()  # what went out until now: `P` notes that as it goes out
 
     def settle(self, within_s: float) -> tuple[CommandRefused | None, ...]:
         """See `Rotator`. Where `S` brings no reply, that of a `p` sent behind it tells that it was read."""
@@ -308,7 +322,7 @@ def _printed_deg(text: str) -> float:
 
 
 def _to(aims: Mapping[str, float]) -> str:
-    return f"P {aims[AZ]:.2f} {aims[EL]:.2f}"
+    return f"P {aims[AZ]:z.2f} {aims[EL]:z.2f}"
 
 
 def _refusal(reply: ServerReply) -> CommandRefused | None:
