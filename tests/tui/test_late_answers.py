@@ -115,7 +115,7 @@ def test_a_table_that_is_read_late_writes_nothing_to_the_other_dish():
 @pytest.mark.parametrize(
     ("error", "words"),
     [
-        (None, "It was told: azimuth 200.00°."),
+        (None, "Synced to azimuth 200.00°."),
         (ConfirmationNeeded(NEEDED), f"Press Y again: {NEEDED}"),
         (ValueError("No."), "No."),
     ],

@@ -292,7 +292,7 @@ class DishMonitor:
                 self.raise_fault(
                     FaultReason.REBOOT, f"The dish has restarted: {line.strip()!r}",
                     told or "It homes by itself or must be homed, and may start its TV search.",
-                    f"Check its power and cable. {'Acknowledge, then tell it.' if told else THEN_HOME}",
+                    f"Check its power and cable. {'Acknowledge, then sync it.' if told else THEN_HOME}",
                 )  # fmt: skip
         self._failed_to_home = False
 

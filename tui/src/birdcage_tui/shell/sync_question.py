@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 WORDS = (
-    "Look along the machine: where does it point, by a compass and by an inclinometer? "
-    "Its azimuth counts clockwise from true north. Nothing moves."
+    "Sight along it and measure where it points: azimuth clockwise from true north, elevation above the horizon. "
+    "A compass shows magnetic north: correct for declination. Nothing moves."
 )
 
 
@@ -49,7 +49,7 @@ class SyncQuestion:
         known = state.position if state.position_lost is None else None
         az, el = ("", "") if known is None else (f"{known.az_deg:.1f}", f"{known.el_deg:.1f}")
         measures = state.dish is not None and state.dish.elevation.name not in state.dish.zero_at_power_up
-        hint = "it measures that itself: may stay empty" if measures else "degrees above the horizon"
+        hint = "optional: it measures that itself" if measures else "degrees above the horizon"
         fields = (FieldRow("azimuth", az, "0 to 360, true"), FieldRow("elevation", el, hint))
 
         def answered(values: Values | None) -> None:
@@ -60,7 +60,7 @@ class SyncQuestion:
         def check(values: Values) -> str:
             return _wrong(values, may_lack=measures)
 
-        self._app.push_screen(FieldsScreen(TITLE, WORDS, fields, check, enter="Enter tells"), answered)
+        self._app.push_screen(FieldsScreen(TITLE, WORDS, fields, check, enter="Enter: sync"), answered)
 
     def _tell(self, dish: ShownDish, request: Sync) -> None:
         """Tell this dish; its answer is about it, also when it comes while another one is shown."""
@@ -70,7 +70,7 @@ class SyncQuestion:
             if isinstance(error, ConfirmationNeeded):
                 self._host.soon(partial(self._confirm, dish, request, str(error)))
                 return
-            words = f"It was told: azimuth {request.az_deg:.2f}°." if error is None else str(error)
+            words = f"Synced to azimuth {request.az_deg:.2f}°." if error is None else str(error)
             self._host.soon(partial(dish.say, words))
 
         dish.station.submit(request).add_done_callback(done)
@@ -84,7 +84,7 @@ class SyncQuestion:
             if agreed:
                 self._tell(dish, replace(request, agreed=True))
 
-        self._app.push_screen(QuestionScreen(TITLE, words, "tell it", by_itself=True), answered)
+        self._app.push_screen(QuestionScreen(TITLE, words, "sync", by_itself=True), answered)
 
 
 def may_open(app: App[None], dish: ShownDish) -> bool:
