@@ -11,6 +11,7 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.cli import which
 from birdcage.detection.detecting import Detection
 from installed_toys import installed
+from pty_dish import PtyDish
 
 pytest.importorskip("termios", reason="a pseudo terminal is needed")
 import termios
@@ -96,6 +97,17 @@ def test_stop_without_an_owner_stops_a_g2_whatever_was_named(run, pty_dish, name
     truth = pty_dish.device.truth()
     assert not truth.moving
     assert abs(shortest_turn(truth.az_deg, 90.0)) > 20.0, "it was stopped, and did not arrive"
+
+
+def test_stop_goes_by_the_name_where_the_console_leaves_several_open(run) -> None:
+    dish = PtyDish("seed=1&az_speed=4&el_speed=4", "g2plus")
+    assert run("move", "--az", 90, "--el", 30, "--no-wait", port=dish.path, firmware="g2plus").exit_code == 0
+    dish.wait_for_motion()
+    result = run("stop", "--json", port=dish.path, firmware="g2plus")
+    dish.close()
+    assert result.exit_code == 0, result.stderr
+    assert json.loads(result.stdout)["confirmed"] is True
+    assert "may be any of" not in result.stderr
 
 
 def test_stop_of_a_misnamed_dish_asks_again_where_the_first_answer_is_lost(run, pty_dish, monkeypatch) -> None:

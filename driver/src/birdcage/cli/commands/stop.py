@@ -140,7 +140,8 @@ def _stop_ourselves(wanted: Wanted) -> dict[str, Any]:
     if wanted.firmware_given and wanted.firmware in names_in(MACHINES):
         return _stop_it(wanted)  # asking who answers begins with an Enter, which only a console is known to bear
     found = _find(wanted)
-    tries = [take(wanted, found, each) for each in found.candidates]
+    named = wanted.firmware if wanted.firmware_given else ""
+    tries = [take(wanted, found, each) for each in sorted(found.candidates, key=lambda each: each != named)]
     if not tries and (wanted.firmware_given or found.trouble is not None):
         tries = [wanted]  # what does not tell may be a shell that is busy: the one that was named waits for it
     for at, dish in enumerate(tries, 1):
