@@ -92,7 +92,7 @@ class DishMover(QueuedMover):
         if self._ends_untaken(job, pointing):
             return
         eta = self._update()
-        if self._is_stuck(job, eta):
+        if not is_there and self._is_stuck(job, eta):
             self.stuck(
                 f"The dish stands still at {pointing.az_text}/{pointing.el_deg:.2f}°, "
                 f"{max(off_az, off_el):.2f}° from its target."
