@@ -143,12 +143,15 @@ def test_the_flag_is_over_the_guess(chosen, expected, monkeypatch, tmp_path):
         return_code = 0
         track = SimpleNamespace(wait=lambda _seconds: None)
         fault = None
-        ending = SimpleNamespace(by_signal=None, anew=False, take_signal=None)
+        ending = SimpleNamespace(by_signal=None, anew=None, take_signal=None)
 
         def __init__(self, session, settings, *_):
             self.session = session
             self.dishes = SimpleNamespace(end=lambda *_: session.close(), crash=None)
             made.append(settings)
+
+        def begin_with(self, number):
+            pass
 
         def run(self):
             pass
