@@ -36,8 +36,6 @@ class Signals:
 
     port_found: Signal[[str]] = field(default_factory=Signal)
     """A port is about to be opened: what is remembered of the dish at it counts."""
-    silent: Signal[[]] = field(default_factory=Signal)
-    """The dish does not answer, or not what was asked, while its port stays open; sent anew for each try."""
     position_read: Signal[[]] = field(default_factory=Signal)
     """The gate has a position that was just read; nothing is told of it yet."""
     forgotten: Signal[[]] = field(default_factory=Signal)

@@ -20,7 +20,6 @@ from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.base.paths import write_aside_and_rename
 from birdcage.link.identity import dish_folder, made_at
 from birdcage.rotator.facts import CableTurn, Facts
-from birdcage.rotator.ladder import StopMeans
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import ActivityChanged, Event, PositionRead
 from birdcage.station.signals import Signals
@@ -33,10 +32,8 @@ SAME_DEG = 0.25
 """Such machines tell tenths of a degree, and the last one may waver."""
 START_DEG = 2.0
 """So near to its zeros a machine may stand because it was switched on there just now."""
-START_S = 600.0
-"""How long it is taken for one that was left there, by another program that ends and where the port is a file."""
-KEPT_S = 60.0
-"""How old the time in the note may get while a program runs."""
+START_S = 3600.0
+"""How long it is taken for one that was left there."""
 CLOSE_S = 1.0
 
 
@@ -66,16 +63,11 @@ class ZeroMemory:
         self._left: ZeroAsLeft | None = None
         """What the first reading must agree with; None once it was compared."""
         self._kept: ZeroAsLeft | None = None
-        """How it was last seen at rest: on disk, or on its way there, where it has a folder."""
-        self._fell_silent = False
-        """Whether this program itself has told or taken it up, and lost the answer since."""
-        self._rested = -math.inf
-        """When it was last seen at rest, in monotonic seconds."""
+        """What is on disk, or on its way there."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
         reader.recall_zero = self.recall
         store.subscribe(self._hear, PositionRead, ActivityChanged)
         signals.port_found.connect(self.meet)
-        signals.silent.connect(self.doubt)
         signals.restarted.connect(self.drop)
 
     def meet(self, port: str) -> None:
@@ -87,56 +79,30 @@ class ZeroMemory:
         if identity is not None and self._state_folder is not None:
             self._file = dish_folder(self._state_folder, identity) / FILE
             self._kept = read_zero(self._file, self._antenna.rotator.facts)
-        self._left, self._fell_silent = self._kept, False
-
-    def doubt(self) -> None:
-        """The machine does not answer: it may have lost its power. The next reading must agree with how it was left."""
-        zero_deg = self._antenna.rotator.facts.zero_deg
-        if zero_deg:
-            self._left = self._kept if self._kept is not None and self._kept.zero_deg == zero_deg else None
-            self._fell_silent = True
-            self._forget()
+        self._left = self._kept
 
     def _forget(self) -> None:
         if self._antenna.rotator.facts.zero_deg:
             self._reader.tell_zero(None)
 
     def recall(self) -> bool:
-        """Take up what was told earlier, if the machine stands where it was left, and had power since.
-
-        Where it does not, the note is removed: no later program believes it.
-        """
+        """Take up what was told earlier, if the machine stands where it was left, and had power since."""
         left, self._left = self._left, None
-        if left is None:
+        if left is None or left.made != self._made:
             return False
         try:
-            # A digit may be lost on the wire: one of two answers must agree.
-            holds = self._holds(left, self._antenna.rotator.counted()) or self._holds(
-                left, self._antenna.rotator.counted()
-            )
+            counted = self._antenna.rotator.counted()
         except BirdcageError:
             self._left = left  # nothing was read: the next reading tells
             return False
-        if not holds:
-            self._keep(None)
+        turns = self._antenna.rotator.facts.turn is CableTurn.REPORTED
+        apart = (_apart(left.counted_deg[name], counted.get(name, math.inf), turns) for name in left.counted_deg)
+        at_start = all(abs(counted.get(name, 0.0)) <= START_DEG for name in left.zero_deg)
+        aged = self._store.clock.utc() - left.utc > timedelta(seconds=START_S)
+        if max(apart) > SAME_DEG or (at_start and (aged or not left.made)):
             return False
         self._reader.tell_zero(left.zero_deg)
         return True
-
-    def _holds(self, left: ZeroAsLeft, counted: Mapping[str, float]) -> bool:
-        """Return whether a machine that counts so has had power since it was left."""
-        stop = self._store.state.last_stop
-        if left.made != self._made or (
-            stop is not None and stop.means is StopMeans.RETARGET and stop.at > self._rested
-        ):
-            return False  # one that lost its power goes where that STOP aimed, and counts what it should
-        turns = self._antenna.rotator.facts.turn is CableTurn.REPORTED
-        apart = (_apart(left.counted_deg[name], counted.get(name, math.inf), turns) for name in left.counted_deg)
-        if max(apart) > SAME_DEG:
-            return False
-        at_start = all(abs(counted.get(name, 0.0)) <= START_DEG for name in left.zero_deg)
-        aged = abs(self._store.clock.utc() - left.utc) > timedelta(seconds=START_S)
-        return not at_start or not (self._fell_silent or aged or not left.made)
 
     def drop(self) -> None:
         """The machine has restarted: its zeros are elsewhere."""
@@ -154,18 +120,13 @@ class ZeroMemory:
         state, zero_deg = self._store.state, self._antenna.rotator.facts.zero_deg
         resting = state.activity is Activity.IDLE and state.motion is None and state.position_lost is None
         if resting and state.position is not None and zero_deg:
-            self._rested = state.position.at
             counted = counted_at(state.position, self._antenna.rotator.facts)
             self._keep(ZeroAsLeft(zero_deg, counted, self._made, self._store.clock.utc()))
-        elif zero_deg and self._kept is not None and self._kept.zero_deg != zero_deg:
-            self._keep(None)  # it was told anew, and is not seen at rest yet
 
     def _keep(self, left: ZeroAsLeft | None) -> None:
-        if _is_same(left, self._kept):
+        if self._file is None or _is_same(left, self._kept):
             return
         self._kept = left
-        if self._file is None:
-            return
         if self._writer is None:
             self._writer = BackgroundWriter("keep the zero", _write)
         self._writer.offer((self._file, None if left is None else _text(left)))
@@ -208,10 +169,10 @@ def _apart(one_deg: float, other_deg: float, turns: bool) -> float:
 
 
 def _is_same(one: ZeroAsLeft | None, other: ZeroAsLeft | None) -> bool:
-    """Return whether a note need not be written anew: it is also to say to the minute when that was."""
+    """Return whether a note need not be written anew: it is also to say within minutes when that was."""
     if one is None or other is None:
         return one is other
-    if (one.zero_deg, one.made) != (other.zero_deg, other.made) or abs(one.utc - other.utc) > timedelta(seconds=KEPT_S):
+    if (one.zero_deg, one.made) != (other.zero_deg, other.made) or abs(one.utc - other.utc) > timedelta(minutes=5):
         return False
     return all(abs(one.counted_deg[name] - deg) <= SAME_DEG / 5 for name, deg in other.counted_deg.items())
 

@@ -13,15 +13,14 @@ HOLDER = "birdcage sync"
 @click.command("sync", epilog=EPILOG, context_settings={"ignore_unknown_options": True})
 @click.argument("az", type=float)
 @click.argument("el", type=float, required=False)
-@click.option("--yes", is_flag=True, help="Don't ask when the machine reports another direction.")
+@click.option("--yes", is_flag=True, help="Do not ask, where the machine believes otherwise.")
 @global_options()
 def command(az: float, el: float | None, yes: bool) -> None:
     """Tell a rotator where it points now: AZ and EL in true degrees. Nothing moves.
 
-    For a machine whose zero is where it was switched on: a rotator without a home switch. Sight along it and measure,
-    then sync. EL is optional where it measures its elevation itself. It holds until the machine loses its power, or
-    another program moves it. Left within 2° of its zero, it needs another sync after ten minutes without a birdcage
-    program. If another birdcage program has the port, that one syncs.
+    For a machine whose zero is where it was switched on: a rotator without a home switch. Look along it, then
+    tell it. EL may be left out where it measures its elevation itself. It holds until the machine loses its power, or
+    is moved by another program. If another birdcage program has the port, that one is told.
     """
     from birdcage.base.errors import ConfirmationNeeded
     from birdcage.cli.attached_command import reach_dish
