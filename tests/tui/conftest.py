@@ -2,7 +2,7 @@
 
 import asyncio
 import sys
-from collections import Counter
+import weakref
 from pathlib import Path
 
 import pytest
@@ -55,14 +55,14 @@ def _never_wait(monkeypatch):
     """Let time jump where the app only waits for it."""
     before = asyncio.get_event_loop_policy()
     jumping_loop.let_time_jump(monkeypatch.setattr)
-    undrawn, passed = {}, Counter()
+    undrawn, passed = {}, weakref.WeakKeyDictionary()
 
     async def settle(*_):
         await jumping_loop.settle()
         while undrawn:
             compositor, stack = undrawn.popitem()
             if compositor.root is not None and compositor.root.is_current:
-                passed[compositor] += 1
+                passed[compositor] = passed.get(compositor, 0) + 1
                 if passed[compositor] % ONE_IN == 1:
                     _render_update(compositor, screen_stack=stack)
 

@@ -18,8 +18,10 @@ import stand_in
 import track_stand_in
 from birdcage.base.errors import ConfirmationNeeded
 from birdcage.base.presets import Preset, add_preset
+from birdcage.easycomm.facts import RP2040_FACTS
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.protocol.hal.model import TRAVLER
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import FeaturePage
 from birdcage.skymap.map_file import read_map
 from birdcage.station.requests import Sync
@@ -59,9 +61,9 @@ def _dialog(name: str, asked_by: str, *keys: str, dialog: str = "QuestionScreen"
     return Place(name, keys, frozenset(holds.split()), dialog, asked_by, **more)
 
 
-def _down_to(page: FeaturePage, feature: str) -> tuple[str, ...]:
+def _down_to(page: FeaturePage, feature: str, dish: Facts = CARRYOUT_G2) -> tuple[str, ...]:
     """Return the keys to the first row of a tab of F4, and from there to that of a feature."""
-    rows = sheet_rows(CARRYOUT_G2, page)
+    rows = sheet_rows(dish, page)
     return ("pageup",) * 4 + ("down",) * next(number for number, row in enumerate(rows) if row.cells[0].id == feature)
 
 
@@ -159,6 +161,8 @@ PLACES = (
     _dialog("new value", "SheetHands._set", "f4", "m", *_down_to(FeaturePage.MOTORS, "speed.azimuth"), "e", **FIELDS),
     _dialog("set a value", "SheetHands._ask", "f4", "d", *_down_to(FeaturePage.RECEIVER, "enable_lna"), "e"),
     _dialog("test the motors", "SheetHands._test", "f4", "m", "t"),
+    _dialog("run a motor while held", "SheetHands._run", "f4", "m",
+            *_down_to(FeaturePage.MOTORS, "duty.azimuth", RP2040_FACTS), "plus", state={"dish": RP2040_FACTS}),
     _dialog("put a value back", "SheetHands._undo", "f4", "m", "u"),
     _dialog("read what switches something", "SheetHands.ask_to_read", "f4", "d",
             *_down_to(FeaturePage.RECEIVER, "even_level"), "enter"),
