@@ -50,6 +50,13 @@ class ControllerInput:
         """
         return max(self.dead_band_deg, max(self.dead_band_steps, 0.5) * axis.step_deg)
 
+    def next_look_s(self, due_s: float, now_s: float) -> float:
+        """Return when to look next, where that is due at a time and a look is over now; POSIX seconds.
+
+        Never before the machine may be asked again: such a look waits, and no command goes out meanwhile.
+        """
+        return max(due_s, now_s + (self.model.least_look_interval_s or 0.0))
+
 
 Controller: TypeAlias = Callable[[ControllerInput], Steps]
 """Keeps the dish on its course until the leg ends, or it is closed."""

@@ -182,7 +182,8 @@ def steer(
         if looks and now_s >= look_s:
             seen = yield ReadPosition()
             now_s = seen.now_s
-            look_s = now_s + AGAIN_S if seen.az_deg is None else max(look_s + guide.look_every_s, now_s)
+            due_s = now_s + AGAIN_S if seen.az_deg is None else look_s + guide.look_every_s
+            look_s = guide.next_look_s(due_s, now_s)
             for follower, read_deg in zip(followers, (seen.az_deg, seen.el_deg), strict=True):
                 follower.look(guide.course(), read_deg, latency.seen_s(seen))
             continue

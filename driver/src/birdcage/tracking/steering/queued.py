@@ -37,7 +37,7 @@ def steer(guide: ControllerInput, *, looks: bool) -> Steps:
         if looks and now_s >= look_s and (fits or now_s >= look_s + guide.look_every_s):
             # Made before the next command has to leave; one that never fits is made all the same.
             seen = yield ReadPosition()
-            now_s, look_s = seen.now_s, max(look_s + guide.look_every_s, seen.now_s)
+            now_s, look_s = seen.now_s, guide.next_look_s(look_s + guide.look_every_s, seen.now_s)
             for belief, read_deg in zip(beliefs, (seen.az_deg, seen.el_deg), strict=True):
                 belief.check(read_deg, latency.seen_s(seen))
             continue

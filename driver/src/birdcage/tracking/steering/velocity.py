@@ -175,7 +175,7 @@ class Glider:
             if guide.now_s >= look_s:
                 if not (yield from self._look()):
                     return
-                look_s = max(look_s + guide.look_every_s, guide.now_s)
+                look_s = guide.next_look_s(look_s + guide.look_every_s, guide.now_s)
             began_s = guide.now_s
             due = [glide for glide in self._glides if glide.plan(began_s + pace.lead_s(glide, 2), pace.round_s(2))]
             if len(due) == 1:
