@@ -9,7 +9,9 @@ from birdcage.hamlib.model import FACTS, facts_of, on_cable
 from birdcage.hamlib.replies import CodeReply, Heard, PositionReply, ServerState, read_state, reason_of, words_of
 from birdcage.rotator.axis import CableRange, TurnBy
 from birdcage.rotator.facts import CableTurn
+from birdcage.rotator.ladder import StopBy, StopOrder
 from birdcage.rotator.origin import Origin
+from rotctl_twin import opened
 
 TAGS = ["1", "1", "min_az=-180.000000", "max_az=450.000000", "min_el=0.000000", "max_el=90.000000", "south_zero=0",
         "rot_type=AzEl", "done"]  # fmt: skip
@@ -201,3 +203,23 @@ class TestAims:
         assert aims.with_({}, circle=False)["az"] == 270.0
         assert aims.with_({"az": -90.0, "el": 41.0}, circle=True) == {"az": 270.0, "el": 41.0}
         assert aims.with_({"az": -89.99}, circle=True)["az"] == -89.99
+
+    def test_stop_while_the_reply_to_a_target_is_due_voids_the_target(self, monkeypatch):
+        """As from another thread: what the reply, or an error in its place, brings afterwards is too late."""
+        rotator, twin, _clock = opened("seed=1&az=100&el=30")
+        rotator.meet()
+        rotator.look()
+        session, waits = rotator.session, rotator.session.await_reply
+
+        def stopped_meanwhile(*given):
+            monkeypatch.setattr(session, "await_reply", waits)
+            rotator.stop_now(StopOrder(StopBy.COMMAND))
+            return waits(*given)
+
+        monkeypatch.setattr(session, "await_reply", stopped_meanwhile)
+        rotator.send({"azimuth": 160.0, "elevation": 80.0})
+        rotator.settle(1.0)
+        rotator.send({"azimuth": 99.0})
+        sent = [line for line in twin.said() if line.startswith(("P", "S"))]
+        assert sent[:2] == ["P 160.00 80.00", "S"]
+        assert float(sent[2].split()[2]) == pytest.approx(30.0, abs=1.0), "where it is, not where it was going"

@@ -1,6 +1,7 @@
 """What the lines of a rotctld do (`docs/reference/rotctl.md`, *Commands*).
 
-Capitals and small letters are judged alike: what follows tells the command that sets from the one that asks.
+Capitals and small letters are judged alike: what follows tells the command that sets from the one that asks. The
+server reads one blank-separated word after the other: a row that does not move matches just the words of its command.
 """
 
 from __future__ import annotations
@@ -12,6 +13,9 @@ from birdcage.rotator.verdict import Grade
 
 _WHERE = frozenset({"position"})
 _ANYTHING = frozenset({"position", "turn", "limits", "settings"})
+_NAME = r"(\?|[^\\\s]\S+)"
+"""A word that is no command of its own: those are one letter, or begin with a backslash."""
+_VALUE = r"[-+]?\d+(\.\d*)?"
 _UNGUARDED = "birdcage checks no limits for this line."
 
 
@@ -39,19 +43,20 @@ HAZARDS = HazardTable(
         _row(r"_|\\get_info"),
         _row(r"1|\\dump_caps|\\dump_state", takes_s=1.0),
         _row(r"3|\\dump_conf"),
-        _row(r"\\get_conf .*"),
-        _row(r"v \S+|\\get_level \S+|u \S+|\\get_func \S+|x \S+|\\get_parm \S+"),
-        _row(r"(v|\\set_level|u|\\set_func|x|\\set_parm) \S+ .*", Grade.SETTING,
+        _row(rf"\\get_conf {_NAME}"),
+        _row(rf"(v|\\get_level|u|\\get_func|x|\\get_parm) {_NAME}"),
+        _row(rf"(v|\\set_level|u|\\set_func|x|\\set_parm) {_NAME} {_VALUE}", Grade.SETTING,
              "Changes a setting of the rotator, until it is changed again.", forgets=frozenset({"settings"})),
-        _row(r"(c|\\set_conf) .*", Grade.SETTING,
+        _row(rf"(c|\\set_conf) {_NAME} ({_NAME}|{_VALUE})", Grade.SETTING,
              "Changes how the server reaches its rotator, or the range that it tells: for all its clients.",
              forgets=_ANYTHING),
         _row(r"(w|\\send_cmd) .*", Grade.MOVES,
              f"Hands the line to the rotator's controller as it is: what that does is its own affair. {_UNGUARDED}",
              forgets=_ANYTHING, takes_s=2.0),
-        _row(r"\\pause .*", Grade.SETTING, "The server answers nothing for that long, STOP included.",
+        _row(rf"\\pause {_VALUE}", Grade.SETTING, "The server answers nothing for that long, STOP included.",
              takes_s=2.0),
         _row("q|\\\\quit", Grade.SETTING, "Ends this connection. birdcage connects anew.", forgets=_WHERE),
     ),
-    unlisted={"": "Undocumented command. It may change a setting, or move the rotator."},
+    unlisted={"": "Undocumented command. It may move the rotator."},
+    unlisted_grade=Grade.MOVES,
 )  # fmt: skip
