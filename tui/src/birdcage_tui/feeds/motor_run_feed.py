@@ -13,7 +13,8 @@ from birdcage.station.access import FaceStation
 from birdcage.station.events import Event, TaskChanged
 from birdcage.station.requests import Run
 from birdcage.station.task_state import TaskPhase
-from birdcage.station.tasks.motor_run import FIRST_S, HOLD_S, MotorRunTask
+from birdcage.station.tasks.held_key import HOLD_S
+from birdcage.station.tasks.motor_run import FIRST_S, MotorRunTask
 
 from birdcage_tui.shown.view import YOU
 

@@ -13,7 +13,8 @@ from birdcage_tui.system.cursor_pane import Line
 
 def held_words(feature: Feature, value: float) -> str:
     """Say what holding a key does to a motor, and what letting go of it does."""
-    from birdcage.station.tasks.motor_run import FIRST_S, HOLD_S
+    from birdcage.station.tasks.held_key import HOLD_S
+    from birdcage.station.tasks.motor_run import FIRST_S
 
     assert feature.held is not None, "whoever asks has looked"
     return (

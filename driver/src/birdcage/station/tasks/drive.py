@@ -6,11 +6,9 @@ from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.clock import Clock
 from birdcage.base.errors import PositionUnknown
 from birdcage.rotator.axis import Axis
-from birdcage.station.task import Task
+from birdcage.station.tasks.held_key import HeldKeyTask
 from birdcage.tracking.steps import ReadPosition, Send, Steps, Wait
 
-HOLD_S = 0.6
-"""So long a drive goes on after it was last asked for; real seconds."""
 EVERY_S = 0.2
 """How often the dish gets a target further on."""
 AHEAD_S = 0.5
@@ -21,33 +19,24 @@ EACH_DEG = 2.0
 """How far each move goes on a dish that takes one at a time."""
 
 
-class DriveTask(Task):
+class DriveTask(HeldKeyTask):
     """Sends targets just ahead, one after the other. Whatever keeps the next one back, the dish rests at the last."""
 
     kind = "drive"
-    goes_on = False
-    is_unattended = False
-    gives_back = False
-    done_words = "No longer held."
 
     def __init__(self, antenna: BirdcageAntenna, clock: Clock, holder: str, az: int, el: int) -> None:
         """`az` and `el` are -1, 0 or 1: clockwise and up positive."""
-        self._antenna, self._clock, self.holder = antenna, clock, holder
-        self.hold(az, el)
+        super().__init__(antenna, clock, holder)
+        self._az, self._el = az, el
 
     def hold(self, az: int, el: int) -> None:
         """It is asked for once more, perhaps in another direction."""
         self._az, self._el = az, el
-        self._until = self._clock.monotonic() + HOLD_S
-
-    @property
-    def streams(self) -> bool:
-        """It does as long as it lasts."""
-        return True
+        self.renew()
 
     def steps(self, now_s: float, *, asked: bool) -> Steps:  # noqa: ARG002 - nothing but a held key begins it
         """Go on while it is asked for, and there is room."""
-        while self._clock.monotonic() < self._until:
+        while self.is_held:
             targets = self._targets()
             if not targets:
                 return

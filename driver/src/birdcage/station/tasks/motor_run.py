@@ -9,13 +9,11 @@ from birdcage.base.geometry import shortest_turn
 from birdcage.base.reason import Reason
 from birdcage.rotator.axis import Axis
 from birdcage.rotator.feature import Feature
-from birdcage.station.task import Task
+from birdcage.station.tasks.held_key import HeldKeyTask
 from birdcage.tracking.steps import ReadPosition, RunMotor, Steps, Wait
 
 FIRST_S = 1.0
 """So long it runs after it was asked for once: a keyboard waits up to a second before it repeats a key that is held."""
-HOLD_S = 0.6
-"""So long it goes on after it was asked for again; real seconds."""
 EVERY_S = 0.1
 """How often the dish is read meanwhile."""
 LATENCY_S = 0.3
@@ -24,21 +22,17 @@ STILL_DEG, STILL_S = 0.15, 2.0
 """A motor that is on for so long, with a position that has not left so narrow a place, is not seen to turn."""
 
 
-class MotorRunTask(Task):
+class MotorRunTask(HeldKeyTask):
     """Sets the motor running, reads where the dish is, and ends. STOP is sent by whoever drives it."""
 
     kind = "motor run"
-    goes_on = False
-    is_unattended = False
-    gives_back = False
     done_words = "No longer held: STOP was sent."
 
     def __init__(self, antenna: BirdcageAntenna, clock: Clock, holder: str, feature: Feature, value: float) -> None:
         """`feature` is one of those that are `HELD`, of the azimuth or the elevation."""
         assert feature.held is not None, "whoever asked has looked"
-        self._antenna, self._clock, self.holder, self.feature = antenna, clock, holder, feature
-        self._value = value
-        self._until = clock.monotonic() + FIRST_S
+        super().__init__(antenna, clock, holder, FIRST_S)
+        self.feature, self._value = feature, value
         self._az = antenna.model.azimuth.name == feature.held.axis
         self._seen_deg_s = 0.0
         """How fast it was seen to turn, and which way."""
@@ -46,12 +40,7 @@ class MotorRunTask(Task):
     def hold(self, value: float) -> None:
         """It is asked for once more, perhaps the other way."""
         self._value = value
-        self._until = max(self._until, self._clock.monotonic() + HOLD_S)
-
-    @property
-    def streams(self) -> bool:
-        """It has to come to rest when this ends."""
-        return True
+        self.renew()
 
     def refuse(self) -> None:
         """Raise MotionRefused where a run from here could not be ended before a limit.
@@ -67,7 +56,7 @@ class MotorRunTask(Task):
         """Run while it is asked for, nothing is in the way, and the dish tells where it is."""
         running: float | None = None
         still_since, still_deg = self._clock.monotonic(), self._deg
-        while self._clock.monotonic() < self._until:
+        while self.is_held:
             self.refuse()
             if running != self._value:
                 running = self._value
