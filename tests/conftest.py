@@ -28,6 +28,8 @@ from hypothesis import settings  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).parent / "shared"))  # importlib mode puts no folder on the path by itself
 
+import night  # noqa: E402
+
 IN_CI = os.environ.get("CI", "").lower() in {"1", "true", "yes"}
 
 settings.register_profile("local", deadline=None)
@@ -70,6 +72,12 @@ def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
         signal.signal(signal.SIGPROF, before)
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave to the night what `tests/by_night.txt` names."""
+    night.leave_to_the_night(items)
 
 
 def pytest_collectstart() -> None:

@@ -291,14 +291,14 @@ def steer(deeds, to_dish, to_host) -> Helm:
 drawn = given(DEEDS, bench.FAULTS, bench.FAULTS)
 
 
-@settings(max_examples=1000, derandomize=True, deadline=None, database=None)
+@settings(max_examples=300, derandomize=True, deadline=None, database=None)
 @drawn
 def test_no_answer_of_a_stream_is_taken_for_anothers(deeds, to_dish, to_host):
     steer(deeds, to_dish, to_host)
 
 
 @pytest.mark.soak
-@settings(max_examples=2000, deadline=None, database=None)
+@settings(max_examples=1000, deadline=None, database=None)
 @drawn
 def test_no_answer_of_many_streams_is_taken_for_anothers(deeds, to_dish, to_host):
     steer(deeds, to_dish, to_host)

@@ -16,6 +16,7 @@ What must hold, exchange by exchange:
 from __future__ import annotations
 
 import pytest
+from night import by_night
 
 from .exchanges import KINDS, Exchanges
 
@@ -34,7 +35,7 @@ def test_a_few_hundred_exchanges(kind):
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", by_night([1, 2], 1))
 @pytest.mark.parametrize("kind", KINDS)
 def test_ten_thousand_exchanges(kind, seed):
     tally = soak(kind, seed, 10_000)

@@ -23,7 +23,7 @@ EACH = 2000
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", by_night(range(100, 125), 2))
+@pytest.mark.parametrize("seed", by_night(range(100, 125), 1))
 def test_two_thousand_keys_in_one_app(seed, monkeypatch):
     before = asyncio.get_event_loop_policy()
     jumping_loop.let_time_jump(monkeypatch.setattr)

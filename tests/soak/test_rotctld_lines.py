@@ -6,6 +6,7 @@ import random
 
 import pytest
 from birdcage.rotctld.conversation import ClientConversation
+from night import by_night
 
 from tests.rotctld.scripted_rotor import ScriptedRotor
 
@@ -28,10 +29,11 @@ def line(dice):
 
 
 @pytest.mark.soak
-def test_a_million_random_lines():
+@pytest.mark.parametrize("count", by_night([100_000, 1_000_000], 1))
+def test_a_million_random_lines(count):
     dice, rotor, answered = random.Random(16), ScriptedRotor(), 0
     conversation = ClientConversation(rotor)
-    for _ in range(1_000_000):
+    for _ in range(count):
         conversation.feed(line(dice) + b"\n")
         replies = conversation.take_replies()
         assert all(reply.endswith(b"\n") and len(reply) < 2048 for reply in replies)
@@ -39,6 +41,6 @@ def test_a_million_random_lines():
         rotor.calls.clear()
         if conversation.closed:
             conversation = ClientConversation(rotor)
-    assert answered > 1_000_000
+    assert answered > count
     conversation.feed(b"\np\np\n")
     assert conversation.take_replies()[-1] == b"123.46\n45.68\n"

@@ -58,20 +58,20 @@ def test_following_a_direction(terminal):
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("habits", by_night(singles(HEALTHY) + pairwise(HEALTHY), 30), ids=str)
+@pytest.mark.parametrize("habits", by_night(singles(HEALTHY) + pairwise(HEALTHY), 8), ids=str)
 @pytest.mark.parametrize("story", [EVENING, FOLLOWING], ids=["evening", "following"])
 def test_every_two_habits_meet(terminal, habits, story):
     assert tell(terminal(**habits), story) == []
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("habits", by_night(singles(STRANGE) + pairwise(STRANGE), 15), ids=str)
+@pytest.mark.parametrize("habits", by_night(singles(STRANGE) + pairwise(STRANGE), 6), ids=str)
 def test_every_two_disorders_meet(terminal, habits):
     assert tell(terminal(**habits), strict=False) == []
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("seed", by_night(range(300), 20))
+@pytest.mark.parametrize("seed", by_night(range(300), 6))
 def test_habits_drawn_at_random(terminal, seed):
     rng = random.Random(seed)
     assert tell(terminal(**drawn(HEALTHY, rng), seed=seed)) == []

@@ -20,7 +20,7 @@ def test_a_story(seed):
 
 
 @pytest.mark.soak
-@pytest.mark.parametrize("score", by_night(range(100), 8))
+@pytest.mark.parametrize("score", by_night(range(100), 3))
 def test_two_thousand_stories(score):
     for seed in range(1000 + 20 * score, 1020 + 20 * score):
         tell(seed)

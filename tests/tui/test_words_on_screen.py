@@ -21,7 +21,7 @@ from places import PLACES, backups_in, doubt_sync, fill_system, open_map, press,
 from said import Said
 
 SMALL, LARGE = (80, 24), (160, 48)
-SIZES = [SMALL, pytest.param(LARGE, marks=pytest.mark.soak)]
+SIZES = [SMALL, pytest.param(LARGE, marks=[pytest.mark.soak, pytest.mark.night])]
 POCKET = (40, 12)
 LONG = "Antenne auf dem Dach des Hauses 衛星通信局"
 TYPED = ("", "231", "300 40", "+5 -2", "180 10", "180 999", "400 45", "E 40", "110W", "moon", "az=", "231,4,44", "<b>")
