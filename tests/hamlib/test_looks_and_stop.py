@@ -143,3 +143,20 @@ def test_a_reply_that_is_late_is_told_from_the_next():
         stage.station.stop("you")
         stage.step(10.0)
         assert stage.shows_truth()
+
+
+def test_how_long_a_server_takes_is_learnt_from_replies_that_came_too_late():
+    with stage_at() as stage:
+        stage.ready()
+        plan = made_up_pass(stage)
+        stage.do(Pursue(plan, "contract", PursuitOptions(at_end="stay")))
+        stage.step(plan.legs[0].start_s + 10.0 - stage.clock.utc().timestamp())
+        to_host = stage.twin.device.wire.to_host
+        to_host.delay_min_s = to_host.delay_max_s = 1.2
+        stage.step(6.0)
+        late, asked = stage.state.link.late, stage.state.link.asked
+        assert late > 0
+        stage.step(12.0)
+        assert stage.state.link.late == late, "it is waited for"
+        assert stage.state.link.asked > asked + 5
+        assert (stage.state.link.state, stage.state.activity) == (LinkPhase.UP, Activity.FOLLOWING)

@@ -64,6 +64,8 @@ class HamlibRotator(PlainRotator):
         self._session: RotctldSession | None = None
         self._clock: Clock | None = None
         self._stops: list[ServerReply] = []
+        self._late: list[ServerReply] = []
+        """Replies that a stream did not wait for and that are still to come."""
         self._tells_state: bool | None = None
         """Whether it knows `\\dump_state`; None before it was asked."""
         self._answers_stop = True
@@ -105,7 +107,7 @@ class HamlibRotator(PlainRotator):
         link = self._dial()
         with self._lock:
             before, self._session = self._session, RotctldSession(link, clock, self._hooks, self._hear)
-            self._stops, self._doubtful = [], False
+            self._stops, self._late, self._doubtful = [], [], False
             self._aims.forget()
         self.is_simulated = link.demo
         if before is not None:
@@ -211,10 +213,15 @@ class HamlibRotator(PlainRotator):
 
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002 - it answers while it turns
         """See `Rotator`."""
-        return Look(self._ask_position(within_s=self._hurry_s if hurry else None))
+        return Look(self._ask_position(within_s=self._patience_s() if hurry else None))
 
-    @property
-    def _hurry_s(self) -> float:
+    def _patience_s(self) -> float:
+        """Return how long a stream waits for a reply. How long this server takes, late replies tell, too."""
+        self.session.take_in()
+        for reply in self._late:
+            if reply.done:
+                self.line.note_late(reply.sent_at, reply.at)
+        self._late = [reply for reply in self._late if not reply.is_over]
         usual_s = self.line.round_trip_s or 0.0
         return min(max(HURRY_S, HURRY_SHARE * usual_s), self.line.delay_s)
 
@@ -248,6 +255,7 @@ class HamlibRotator(PlainRotator):
             if within_s is None or reply.is_over or not young:
                 raise
             self._doubtful = False
+            self._late.append(reply)
             self.line.late += 1
             raise NoReply(str(error), reason=Reason.LATE) from error
 
@@ -256,7 +264,7 @@ class HamlibRotator(PlainRotator):
         if any(axis not in to and not self._aims.knows(axis) for axis in (AZ, EL)):
             self.look()
         before, aims = self._aims.known, self._aims.with_(to, circle=not self._tells_turn)
-        reply, within_s = CodeReply(_to(aims)), self._hurry_s if hurry else None
+        reply, within_s = CodeReply(_to(aims)), self._patience_s() if hurry else None
 
         def permit() -> None:
             if self._hooks.permit is not None:

@@ -43,6 +43,10 @@ class PlainLine:
         self.took_s = self.round_trip_s = now - asked_at
         self.last_reply, self.answered, self.asked = now, self.answered + 1, self.asked + 1
 
+    def note_late(self, asked_at: float, now: float) -> None:
+        """Take in that what was given up, asked at one time, was answered now all the same."""
+        self.round_trip_s, self.last_reply = now - asked_at, now
+
     def note_silence(self) -> None:
         """Take in that an answer did not come."""
         self.answered, self.asked, self.unanswered = 0, self.asked + 1, self.unanswered + 1
