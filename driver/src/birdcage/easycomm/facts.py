@@ -44,6 +44,15 @@ def _own_stop(sentence: str) -> tuple[Rung, ...]:
     return command, POWER_SWITCH
 
 
+def _turn_round(flag: str) -> str:
+    return (
+        f"In its firmware's config.h, flip {flag}, then build and flash it. An older version of it reverses only the "
+        "reading by that: there, also swap the two wires of the motor. If only one of the two is reversed, the axis "
+        "runs away from its target. For the first move, keep the swing clear and a hand at the switch of the motor "
+        "supply."
+    )
+
+
 FACTS = Facts(
     name="SatNOGS rotator",
     firmware="easycomm",
@@ -97,6 +106,7 @@ RP2040_FACTS = replace(
         clearance="It turns up to two turns: leave the cable of the antenna slack for both. It levels its elevation by "
         "motor when it gets power.",
         north="It has no mark: azimuth 0 is where it points when it gets power. Point it north first.",
+        reversed_remedies={AZIMUTH: _turn_round("kAzInvert"), ELEVATION: _turn_round("kElInvert")},
     ),
 )
 """The RP2040 base station: 16 RPM by 40:15 and 55:40 at a duty of 35 %, and a dead-band of 0.05°."""

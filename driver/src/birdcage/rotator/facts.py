@@ -123,6 +123,8 @@ class Handling:
     """How its base is marked."""
     home_remedies: Mapping[str, str] = field(default_factory=dict)
     """What helps an axis that fails to home, by the name of the axis."""
+    reversed_remedies: Mapping[str, str] = field(default_factory=dict)
+    """What helps an axis that turns the other way than it should, by the name of the axis."""
     stow_by_hand: str = ""
     """How it is folded when its electronics are dead."""
     supply: str = ""

@@ -119,5 +119,13 @@ class DirectionStep(Step):
         self.asked = ""
         yield self.bench.ask(Goto(*self._start, self.bench.holder))
         if wrong:
-            raise BirdcageError(_WRONG[wrong], reason=Reason.DIRECTION)
+            raise BirdcageError(f"{_WRONG[wrong]} {self._remedy(wrong)}".rstrip(), reason=Reason.DIRECTION)
         self.bench.done(self.name, f"{self._seen}: seen by you")
+
+    def _remedy(self, wrong: str) -> str:
+        """Return what turns an axis of this machine round; empty where its facts name nothing."""
+        dish = self.bench.state.dish
+        if dish is None:
+            return ""
+        axis = dish.azimuth if wrong == "az" else dish.elevation
+        return dish.handling.reversed_remedies.get(axis.name, "")
