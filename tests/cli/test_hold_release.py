@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import signal
+from dataclasses import replace
 
 import pytest
 from birdcage.base.paths import Paths
-from birdcage.station.holding import find_held
+from birdcage.station.holding import find_held, list_held
 from birdcage.station.requests import Goto
 
 from .conftest import PtyDish
@@ -53,6 +54,23 @@ def test_the_one_dish_that_is_held_needs_no_name(run, pty_dish, tmp_path):
     assert several.exit_code == 2
     assert "2 dishes are held" in several.stderr
     assert str(other) in several.stderr
+
+
+@pytest.mark.parametrize("noted", [True, False])
+def test_of_several_dishes_that_are_driven_none_is_released_by_guess(run, pty_dish, owner, older_owner, noted):
+    owner.station.stop("you")
+    pty_dish.wait_for(lambda _truth: owner.station.state.held is not None and list_held(Paths.default()))
+    (held,) = list_held(Paths.default())
+    if noted:  # an older birdcage has not written which port that was
+        held.file.write(replace(held.note, port=""))
+    else:
+        held.file.remove()
+    several = run("release", port="")
+    assert several.exit_code == 2
+    assert "2 dishes are driven" in several.stderr
+    assert older_owner in several.stderr
+    assert "Nothing was released." in several.stderr
+    assert owner.station.state.held is not None
 
 
 def test_a_port_that_is_not_there_is_not_held_by_guess(run):

@@ -101,6 +101,18 @@ def test_it_is_not_told_in_motion_and_is_while_held(stage):
     stage.do(Release("you"))
 
 
+@pytest.mark.parametrize("axis", [0, 1])
+def test_it_is_not_told_while_somebody_else_turns_it_slowly(stage, axis):
+    deg = stage.twin.motors[axis].deg
+    stage.twin.motors[axis] = type(stage.twin.motors[axis])(stage.clock, deg, 1.0)
+    stage.twin.motors[axis].go(deg + 20.0)
+    refused = stage.refused(Sync(200.0, 30.0, "you"), BirdcageError)
+    assert (refused.reason, str(refused)) == ("moving", "The dish is moving. Wait until it stops, then sync it.")
+    assert stage.state.position is None
+    stage.step(25.0)
+    assert stage.do(Sync(200.0, None, "you")).az_deg == pytest.approx(200.0)
+
+
 def test_what_it_believes_otherwise_is_asked_first(stage):
     stage.do(Sync(200.0, 30.0, "you"))
     asked = stage.refused(Sync(230.0, 30.0, "you"), ConfirmationNeeded)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from birdcage.base.errors import BirdcageError, CommandRefused, ConfirmationNeeded, LeaseDenied, OutOfRange
 from birdcage.base.geometry import shortest_turn
@@ -14,6 +15,8 @@ from birdcage.station.requests import Sync
 from birdcage.station.state import Pointing
 from birdcage.station.zero_memory import SAME_DEG
 
+APART_S = 0.5
+"""A dish at rest says the same again after so long."""
 TELLING_DEG = 0.05
 """Less than this is no difference to ask about."""
 MEASURED_DEG = 2.0
@@ -36,11 +39,8 @@ class Syncing:
         if holder not in (None, request.holder):
             raise LeaseDenied(f"{holder} has control. Take control, or wait until it is free.")
         self._parts.free_wire()
-        refuse_while_moving(self._store, antenna, "The dish is not told where it points")
-        counted = settled(antenna.rotator.counted)
-        again = settled(antenna.rotator.counted)
-        if any(abs(deg - again.get(name, math.inf)) > SAME_DEG for name, deg in counted.items()):
-            raise BirdcageError("The dish turns, so it is not told where it points. Wait.", reason=Reason.MOVING)
+        refuse_while_moving(self._store, antenna, "The dish can't be synced")
+        counted = self._counted_at_rest()
         az, el = facts.azimuth, facts.elevation
         own_el_deg = counted[el.name] + facts.zero_deg.get(el.name, 0.0)
         if request.el_deg is None or el.name not in facts.zero_at_power_up:
@@ -60,8 +60,20 @@ class Syncing:
         self._parts.mover.forget_target()
         found = self._reader.position()
         if found is None:
-            raise BirdcageError("It was told, and its position can't be read yet.", reason=Reason.UNREAD)
+            raise BirdcageError("Synced, but the position can't be read yet.", reason=Reason.UNREAD)
         return found
+
+    def _counted_at_rest(self) -> Mapping[str, float]:
+        """Return where it counts its axes to stand. BirdcageError (`moving`) where it says otherwise 0.5 s later."""
+        rotator, clock = self._antenna.rotator, self._store.clock
+        before = settled(rotator.counted)
+        until = clock.monotonic() + APART_S
+        while clock.monotonic() < until:
+            rotator.listen(until)
+        counted = settled(rotator.counted)
+        if any(abs(deg - counted.get(name, math.inf)) > SAME_DEG for name, deg in before.items()):
+            raise BirdcageError("The dish is moving. Wait until it stops, then sync it.", reason=Reason.MOVING)
+        return counted
 
     def _ask_about_elevation(self, request: Sync, own_el_deg: float) -> None:
         """ConfirmationNeeded where a person's elevation is far from what the machine measures."""
@@ -71,7 +83,7 @@ class Syncing:
         if abs(measured_deg - request.el_deg) > MEASURED_DEG:
             raise ConfirmationNeeded(
                 f"It measures its elevation itself: {measured_deg:.2f}°, and you say {request.el_deg:.2f}°. "
-                "It keeps its own. Tell it the azimuth all the same?"
+                "It keeps its own. Sync the azimuth all the same?"
             )
 
     def _ask_about_change(self, request: Sync, el_deg: float) -> None:
@@ -91,4 +103,4 @@ def _check(request: Sync) -> None:
     """OutOfRange for what is no direction."""
     for name, deg, low, high in (("Azimuth", request.az_deg, 0.0, 360.0), ("Elevation", request.el_deg, -90.0, 90.0)):
         if deg is not None and not low <= deg <= high:
-            raise OutOfRange(f"{name} {deg:g}° is none. Give {low:g} to {high:g}. Nothing was changed.")
+            raise OutOfRange(f"{name} {deg:g}° is out of range. Type {low:g} to {high:g}. Nothing was changed.")

@@ -42,8 +42,12 @@ def command(context: click.Context) -> None:
 
 
 def _by_name(dish: Wanted) -> Wanted:
-    """Return the one dish that is meant: without a port, the one that is held. ConfigError where several are."""
+    """Return the one dish that is meant: without a port, the one that is held, else the one that a program drives.
+
+    ConfigError, and nothing is released, where there are several.
+    """
     from birdcage.base.errors import ConfigError
+    from birdcage.cli.owners import owners_of
     from birdcage.station.holding import list_held
 
     if dish.port_given:
@@ -52,7 +56,13 @@ def _by_name(dish: Wanted) -> Wanted:
     if len(held) > 1:
         ports = ", ".join(each.note.port or str(each.file.path) for each in held)
         raise ConfigError(f"{len(held)} dishes are held: {ports}. Name one with --port.")
-    return replace(dish, port=held[0].note.port, port_given=True) if held and held[0].note.port else dish
+    if held and held[0].note.port:
+        return replace(dish, port=held[0].note.port, port_given=True)
+    owners = owners_of(dish)
+    if len(owners) > 1:
+        ports = ", ".join(owner.port for owner in owners)
+        raise ConfigError(f"{len(owners)} dishes are driven: {ports}. Name one with --port. Nothing was released.")
+    return dish
 
 
 def _release(dish: Wanted) -> dict[str, Any]:
