@@ -31,7 +31,7 @@ def at(run, starter):
 def test_what_was_told_holds_for_the_commands_that_follow(at, starter, as_json) -> None:
     unknown = at("pos")
     assert unknown.exit_code != 0
-    assert "`birdcage sync AZ EL` tells it where it points." in unknown.stderr
+    assert "Sync it: `birdcage sync AZ EL` says where it points." in unknown.stderr
     assert at("move", "--az", 210, "--el", 30).exit_code != 0
     told = at("sync", 200, 30)
     assert (told.exit_code, told.stdout) == (0, "AZ: 200.0\nEL: 30.0\n"), told.stderr
@@ -46,7 +46,7 @@ def test_what_it_believes_otherwise_takes_a_yes(at) -> None:
     assert at("sync", 200).exit_code == 0
     asked = at("sync", 100, 30)
     assert asked.exit_code == 2
-    assert "It already knows where it points: azimuth 200.00°, elevation 30.00°." in asked.stderr
+    assert "It is already synced: azimuth 200.00°, elevation 30.00°." in asked.stderr
     assert at("pos").stdout.startswith("AZ: 200.0")
     assert at("sync", 100, 30, "--yes").stdout.startswith("AZ: 100.0")
 
@@ -62,13 +62,16 @@ def test_what_is_no_direction_is_not_told(at, words) -> None:
 def test_init_says_that_a_person_has_to_tell_it(at) -> None:
     said = at("init")
     assert "not homed" not in said.stderr
-    assert "It counts from where it was switched on. `birdcage sync AZ EL`" in said.stderr
+    assert "It counts from where it was switched on. Sync it: `birdcage sync AZ EL`" in said.stderr
 
 
 def test_home_says_what_to_do_instead(at) -> None:
     said = at("home", "--yes")
     assert said.exit_code != 0
-    assert "The Starter has no homing. It counts from where it was switched on. `birdcage sync AZ EL`" in said.stderr
+    assert (
+        "The Starter has no homing. It counts from where it was switched on. Sync it: `birdcage sync AZ EL`"
+        in said.stderr
+    )
 
 
 def test_a_dish_that_knows_by_itself_says_so(run) -> None:

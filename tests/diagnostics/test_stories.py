@@ -148,7 +148,7 @@ def test_everything_fine(judged):
     assert not health.needs_you
     assert health.looked_at.startswith("Looked at 30 days of the Carryout G2. Counted 1,")
     assert "0 stalls, 2 restarts, lost replies: " in health.looked_at
-    assert health.looked_at.endswith("The dish answers, and its present state is in here.")
+    assert health.looked_at.endswith("The dish answers, and its present state is included.")
 
 
 def test_old_faults_long_acknowledged_return_only_when_it_happens_again(tmp_path):

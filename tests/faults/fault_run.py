@@ -166,9 +166,9 @@ class FaultRun:
         deeds: list[str] = []
         self.watching = False
         self._make_ready(stage, deeds)
-        if stage.must_be_told:
-            stage.tell_where()
-            deeds.append("tell it where it points")
+        if stage.must_be_synced:
+            stage.sync()
+            deeds.append("sync")
         if stage.state.homed is False:
             homed = stage.do(Home("you"), 90.0)
             deeds.append("home")

@@ -188,17 +188,17 @@ class Stage:
         features = {"position", "rssi"} if self.state.dish.has_rssi else {"position"}
         self.station.submit(Watch("person", frozenset(features), 2.0))
         assert self.until(lambda: self.is_up and self.state.surveyed, 60.0), self.state.link
-        self.tell_where()
+        self.sync()
         self.step(3.5)
 
     @property
-    def must_be_told(self) -> bool:
-        """Whether it waits for a person to tell where it points."""
+    def must_be_synced(self) -> bool:
+        """Whether it waits for a person to sync it."""
         return self.state.position_lost == Reason.UNSYNCED
 
-    def tell_where(self) -> None:
-        """Tell it that, where only a person can."""
-        if self.must_be_told:
+    def sync(self) -> None:
+        """Sync it, where only a person can."""
+        if self.must_be_synced:
             told = self.do(Sync(self.truth.az_deg, None, "you", agreed=True))
             assert not isinstance(told, Exception), told
 

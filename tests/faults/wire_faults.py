@@ -127,7 +127,7 @@ PATCHY = {
 UNNOTICED = {REST: Expect(), MOVING: Expect(motion="arrives")}
 GONE = {
     REST: Expect("lost", held="link"), MOVING: Expect("lost", held="link", motion="link"),
-    # Whoever may have been without power has to be told where it points.
+    # Whatever may have been without power has to be synced.
     "easycomm at rest": Expect("lost", fault="unhomed", held="link"),
     "easycomm in mid-move": Expect("lost", fault="unhomed", held="link", motion="link"),
 }  # fmt: skip

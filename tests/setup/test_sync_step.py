@@ -1,4 +1,4 @@
-"""Step 4 of a machine that a person tells where it points: two lines to type, and nothing turns."""
+"""Step 4 of a machine that a person syncs: two lines to type, and nothing turns."""
 
 from __future__ import annotations
 
@@ -46,10 +46,10 @@ def test_it_asks_for_the_direction_and_is_done_once_told(told):
     stage, setup, answer = told
     before = setup.step("home")
     assert before.mark.value == "todo"
-    assert before.evidence == "not told where it points yet"
+    assert before.evidence == "not synced yet"
     assert "Nothing moves." in before.words[0]
     after = answer("sync", az_deg="200", el_deg="")
-    assert (after.mark.value, after.evidence) == ("done", "told, now at AZ 200.00 EL 30.00")
+    assert (after.mark.value, after.evidence) == ("done", "synced, now at AZ 200.00 EL 30.00")
     assert stage.twin.sent_to == []
 
 

@@ -1,4 +1,4 @@
-"""A machine whose zero is where it was switched on is told where it points, and only then sent anywhere."""
+"""A machine whose zero is where it was switched on is synced, and only then sent anywhere."""
 
 from __future__ import annotations
 

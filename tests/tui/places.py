@@ -78,7 +78,7 @@ UNTOLD = {
     "dish": replace(CARRYOUT_G2, homing_s=None, never_homes=True, zero_at_power_up=(CARRYOUT_G2.azimuth.name,)),
     "homed": False,
 }
-"""A rotator that has to be told where it points."""
+"""A rotator that a person has to sync."""
 FORMS = {"feed": FORM, "place": FORM, "north": FORM, "level": f"{STEPS} AnswerForm/Input",
          "busy": STEPS, "dish": STEPS, "search": STEPS}  # fmt: skip
 """What the form of a step holds, where that is not buttons alone."""

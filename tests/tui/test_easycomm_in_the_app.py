@@ -37,7 +37,7 @@ async def told(house):
 
 
 @pytest.mark.parametrize("size", [(80, 24), (120, 36), (160, 48)])
-def test_f1_says_that_it_must_be_told_and_then_where_it_points(size):
+def test_f1_says_that_it_must_be_synced_and_then_where_it_points(size):
     async def check(house):
         await house.pilot.press("f1")
         await house.step(1.0)

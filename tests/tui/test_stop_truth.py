@@ -23,6 +23,7 @@ from birdcage.rotator.own import OwnFacts
 from birdcage.station.raw import Grade
 from birdcage.station.requests import Goto, Home, Jog, Pursue, Stow
 from birdcage.station.state import Activity, HeldState, LinkPhase, LinkState, Motion, StopReport, TvSearch
+from birdcage.station.stop_words import ends_motion
 from birdcage_tui.feeds.settings import AppOptions
 from birdcage_tui.panes.next_steps import next_steps
 from birdcage_tui.shown.state_words import bad_day, calm, motion_text
@@ -280,6 +281,7 @@ def _check(view: View) -> None:
         assert state.dish.tells_at_rest or "holds it" not in said, said
         known = any(rung.means is state.unplanned_stop and rung.proven for rung in ladder)
         assert "brings it" not in said or known, said
+    assert not ends_motion(state) or view.crash or promised or said.startswith("STOP stops it"), said
     if plans:
         assert state.motion.stop_proven or "STOP takes" not in said, said
     if said == "STOP holds it where it is":

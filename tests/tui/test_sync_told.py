@@ -1,4 +1,4 @@
-"""A rotator that has to be told where it points: the app says so, Y asks, and nothing moves by it."""
+"""A rotator that a person has to sync: the app says so, Y asks where it points, and nothing moves by it."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_it_says_what_is_missing_and_which_key_helps(size):
     shown = run(text, state=UNTOLD, size=size)
     assert "NOT SYNCED" in shown
     assert "NOT HOMED" not in shown
-    assert "Y\N{NO-BREAK SPACE}tells it" in shown or "Y tells it" in shown
+    assert "Y\N{NO-BREAK SPACE}syncs it" in shown or "Y syncs it" in shown
     assert "H homes" not in shown
 
 

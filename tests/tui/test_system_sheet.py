@@ -14,6 +14,7 @@ from birdcage.diagnostics.motor_test_task import MotorTests
 from birdcage.protocol.carryout.model import CARRYOUT_2003
 from birdcage.protocol.g2.model import CARRYOUT_G2
 from birdcage.rotator.feature import Feature, FeaturePage, Reading, by_id
+from birdcage.rotator.ladder import StopMeans
 from birdcage.station.requests import Read, Set
 from birdcage.station.state import Activity, BootLog
 from birdcage_tui.system.detail_pane import DetailPane
@@ -22,6 +23,10 @@ from stage import run
 from test_end_to_end import House, played, press
 
 SIZES = [(80, 24), (120, 36), (160, 48)]
+
+
+STOPPABLE = replace(CARRYOUT_G2, stop_ladder=tuple(replace(each, proven=True) for each in CARRYOUT_G2.stop_ladder))
+"""A dish whose STOP is proven."""
 
 
 def reading(value, unit="", at=100.0):
@@ -105,15 +110,28 @@ def test_what_the_dish_refuses_is_marked_and_the_rest_is_read():
     assert re.search(r"Torque of the motor +▲ not told +▲ not told", text)
 
 
-def test_nothing_is_asked_while_the_dish_moves_and_the_page_says_so():
+@pytest.mark.parametrize(
+    ("size", "state", "words"),
+    [
+        ((120, 36), {"activity": Activity.SLEWING, "unplanned_stop": StopMeans.RETARGET, "dish": STOPPABLE},
+         "Nothing is read while it moves. Space stops it, then r reads."),
+        ((120, 36), {"activity": Activity.SLEWING, "unplanned_stop": StopMeans.RETARGET},
+         "Nothing is read while it moves. Once it rests, r reads."),
+        ((120, 36), {"activity": Activity.HOMING, "dish": STOPPABLE},
+         "Nothing is read while it moves. Once it rests, r reads."),
+        ((80, 24), {"activity": Activity.SLEWING}, "Not read while moving"),
+    ],
+    ids=["stopped", "not proven", "homing", "narrow"],
+)  # fmt: skip
+def test_nothing_is_asked_while_the_dish_moves_and_the_page_says_what_ends_that(size, state, words):
     async def look(app, pilot):
         await pilot.press("f4", "b")
         await settle(pilot)
         return app.station.asked_for(Read), stand_in.text_of(app)
 
-    reads, text = run(look, size=(120, 36), state={"activity": Activity.SLEWING})
+    reads, text = run(look, size=size, state=state)
     assert reads == []
-    assert "Nothing is read while the dish moves." in text
+    assert words in text
 
 
 def test_a_hazard_is_read_only_after_a_question():

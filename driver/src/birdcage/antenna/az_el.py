@@ -136,7 +136,7 @@ class AzEl:
         facts, angles = self.facts, look.angles
         if facts.zero_at_power_up:
             if self._told is None:
-                raise PositionUnknown(f"The position is unknown. {facts.must_be_told}", reason=Reason.UNSYNCED)
+                raise PositionUnknown(f"The position is unknown. {facts.must_be_synced}", reason=Reason.UNSYNCED)
             angles = {name: deg + facts.zero_deg.get(name, 0.0) for name, deg in angles.items()}
         if facts.mapping is not None:
             return Position(*facts.mapping.to_sky(angles))

@@ -240,7 +240,7 @@ class MotionGate:
         why = {
             Reason.UNREAD: "the position of the dish has not been read yet. Wait a moment.",
             Reason.UNHOMED: "the dish is not homed, so it does not know where it points. Home it first.",
-            Reason.UNSYNCED: "the dish was not told where it points. Look along it, then `birdcage sync AZ EL`.",
+            Reason.UNSYNCED: "the dish is not synced. Say where it points: `birdcage sync AZ EL`.",
             Reason.UNREADABLE: "the dish's position reply can't be read. Home it; the console shows the reply.",
             Reason.RELEASED: "the motors were released, so the position is unknown. Home the dish.",
             UNTOLD: "this dish does not tell where it points. Send it somewhere first, by its full direction.",

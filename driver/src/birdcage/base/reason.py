@@ -108,7 +108,7 @@ class Reason(StrEnum):
     UNHOMED = "unhomed"
     """The machine does not know it: it was not homed."""
     UNSYNCED = "unsynced"
-    """Its zero is where it was switched on, and it was not told where that points."""
+    """Its zero is where it was switched on, and it was not synced since."""
     UNREADABLE = "unreadable"
     """What the machine answers is no position."""
     UNTOLD = "untold"

@@ -23,7 +23,7 @@ COMMANDS = {
     "stop": "Stop the dish, whatever program drives it.",
     "hold": "Stop the dish, and keep every program from moving it.",
     "release": "Let programs move the dish again.",
-    "sync": "Tell a rotator that has no reference where it points now.",
+    "sync": "Sync a rotator that has no reference: say where it points.",
     "home": "Home the dish: run into the end stops to find the reference.",
     "setup": "Go from wires to the first satellite, step by step.",
     "serve": "Drive the dish for Gpredict, SatNOGS, SatDump and others, over the network.",

@@ -101,7 +101,7 @@ def why_unknown(state: StationState) -> str:
     if state.awaits_first_move:
         return "This dish does not tell where it points. `birdcage move AZ EL` sends it somewhere."
     if state.awaits_sync and state.dish is not None:
-        return f"The {state.dish.name} does not know where it points. {state.dish.must_be_told}"
+        return f"The {state.dish.name} does not know where it points. {state.dish.must_be_synced}"
     if state.position_text:
         return f"{state.position_text} {how_to_home(state)}"
     return f"The dish is not homed, so it does not know where it points. {how_to_home(state)}"
@@ -126,8 +126,8 @@ def need_position(dish: StationCommand, lacking: str = "Nothing is followed.") -
 
 def how_to_home(state: StationState) -> str:
     """Return what makes a dish know where it is, in a sentence."""
-    if state.dish is not None and state.dish.must_be_told:
-        return "`birdcage sync AZ EL` tells it where it points."
+    if state.dish is not None and state.dish.must_be_synced:
+        return "Sync it: `birdcage sync AZ EL` says where it points."
     if state.dish is not None and state.dish.never_homes:
         return "It has no homing."
     if state.dish is not None and state.dish.homing_s is None:

@@ -72,8 +72,8 @@ class Examination:
     @property
     def home_it(self) -> str:
         """How this dish finds its references, as a step."""
-        if self.facts is not None and self.facts.must_be_told:
-            return self.facts.must_be_told
+        if self.facts is not None and self.facts.must_be_synced:
+            return "Look along it and sync it: Y in the app, or `birdcage sync AZ EL`."
         if self.facts is not None and self.facts.no_homing:
             return self.facts.no_homing
         stops = self.facts is not None and self.facts.homing_stoppable

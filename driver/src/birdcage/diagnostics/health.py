@@ -77,7 +77,7 @@ def _looked_at(dish: str, figures: HealthFigures, state: StationState) -> str:
 
 def _present(state: StationState) -> str:
     if state.link.state is LinkPhase.UP:
-        return "The dish answers, and its present state is in here."
+        return "The dish answers, and its present state is included."
     why = "The dish was not asked"
     if state.link.state is LinkPhase.SILENT:
         why = "The dish was asked and did not answer"

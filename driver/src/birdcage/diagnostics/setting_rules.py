@@ -28,7 +28,7 @@ def not_homed(seen: Examination) -> Iterator[Finding]:
     if seen.answers and seen.state.homed is False:
         yield Finding(
             "homed", Urgency.STOPS,
-            "The dish does not know where it points. It was not told." if seen.state.awaits_sync
+            "The dish is not synced: it does not know where it points." if seen.state.awaits_sync
             else "The dish is not homed: it does not know where it points.",
             "Nothing can be pointed before that.", (seen.home_it,), lasts=True,
         )  # fmt: skip

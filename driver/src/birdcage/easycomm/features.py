@@ -38,8 +38,8 @@ RECAL_HAZARD = (
     "The elevation will be counted from the accelerometer. If that is loose or mounted askew, the dish points wrong."
 )
 ZERO_HAZARD = (
-    "Both axes will be counted from where they stand now, and the loop lets go of them. What birdcage knows of the "
-    "direction is lost: tell it anew with `birdcage sync AZ EL`."
+    "Both axes will be counted from where they stand now, and the loop lets go of them. The direction is lost by that: "
+    "sync it again with `birdcage sync AZ EL`."
 )
 DUTY_RANGE = Range(-0.35, 0.35)
 """Of the supply. The firmware takes -1 to 1; its own loop never gives more than this, at which an axis is fastest."""

@@ -164,7 +164,7 @@ class EasycommRotator(PlainRotator):
         return Survey(features={VERSION_FEATURE: self._version} if self._version else {})
 
     def look(self, *, hurry: bool = False, busy_s: float = 0.0) -> Look:  # noqa: ARG002 - each is answered at once
-        """See `Rotator`: as it counts. Where its zero points a person tells (`Facts.zero_at_power_up`).
+        """See `Rotator`: as it counts. Where its zero points a person says (`Facts.zero_at_power_up`).
 
         PositionUnknown (`unhomed`) while it says that it did not find its switches: it then counts from anywhere.
         """
@@ -353,8 +353,7 @@ class EasycommRotator(PlainRotator):
     def zero(self) -> None:
         """Count both encoders from here (`ZERO`), with the loop off: it would go on to its targets.
 
-        Raises as `ask`. What a person has told of its zero is void as soon as the line is written: its answer may be
-        lost.
+        Raises as `ask`. A sync is void as soon as the line is written: its answer may be lost.
         """
         self._forget()
         for name in ("AZ", "EL"):

@@ -170,14 +170,14 @@ class Facts:
     homing_s: float | None
     """The longest that homing one axis takes; None when it homes only by itself, or never."""
     never_homes: bool = False
-    """Whether it has no homing at all: it knows where it is as soon as it has power, is told by a person, or tells
-    nothing."""
+    """Whether it has no homing at all: it knows where it is as soon as it has power, is synced by a person, or
+    tells nothing."""
     zero_at_power_up: tuple[str, ...] = ()
-    """The axes, by name, whose zero is where they stood when it was switched on: only a person can tell where that
+    """The axes, by name, whose zero is where they stood when it was switched on: only a person can say where that
     points (`birdcage sync`). Its `Rotator.look` tells them as it counts them."""
     zero_deg: Mapping[str, float] = field(default_factory=dict)
-    """Where those zeros point, in degrees by name, once a person has told; empty before. The range of the cable and
-    of an elevation count with it."""
+    """Where those zeros point, in degrees by name, once a person has synced it; empty before. The range of the cable
+    and of an elevation count with it."""
     boot_s: float
     """The longest that a boot takes; waiting for it never lasts longer unless asked."""
     has_motor_power: bool = False
@@ -326,19 +326,19 @@ class Facts:
         if self.homing_s is not None:
             return ""
         if self.never_homes:
-            return f"The {self.name} has no homing. {self.must_be_told}".rstrip()
+            return f"The {self.name} has no homing. {self.must_be_synced}".rstrip()
         return f"The {self.name} homes only at power-up. Switch it off and on."
 
     @property
-    def must_be_told(self) -> str:
-        """How it comes to know where it points, where only a person can tell; empty where it knows by itself."""
+    def must_be_synced(self) -> str:
+        """How it comes to know where it points, where only a person can say; empty where it knows by itself."""
         if not self.zero_at_power_up:
             return ""
-        return "It counts from where it was switched on. `birdcage sync AZ EL` tells it where it points."
+        return "It counts from where it was switched on. Sync it: `birdcage sync AZ EL` says where it points."
 
     @property
     def no_sync(self) -> str:
-        """Why it is not told where it points; empty if it can be."""
+        """Why it is not synced; empty if it can be."""
         return "" if self.zero_at_power_up else f"The {self.name} knows by itself where it points."
 
     @property

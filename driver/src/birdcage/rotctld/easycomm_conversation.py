@@ -38,7 +38,7 @@ class EasycommError(IntFlag):
     SENSOR = 2
     """Where it points can't be read now."""
     HOMING = 4
-    """It does not know where it points: it was not homed, or not told."""
+    """It does not know where it points: it is not homed, or not synced."""
     MOTOR = 8
     """A fault waits for a person."""
 

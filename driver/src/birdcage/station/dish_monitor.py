@@ -288,7 +288,7 @@ class DishMonitor:
             self.interrupted(HeldReason.FAULT)
             self._starting.ended()
             if fault is None or not self._failed_to_home:
-                told = self._antenna.rotator.facts.must_be_told
+                told = self._antenna.rotator.facts.must_be_synced
                 self.raise_fault(
                     FaultReason.REBOOT, f"The dish has restarted: {line.strip()!r}",
                     told or "It homes by itself or must be homed, and may start its TV search.",

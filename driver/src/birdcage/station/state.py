@@ -379,8 +379,8 @@ class StationState:
 
     @property
     def awaits_sync(self) -> bool:
-        """Whether a person has to tell it where it points (`Sync`) before it is sent anywhere."""
-        return self.homed is False and self.dish is not None and bool(self.dish.must_be_told)
+        """Whether a person has to sync it (`Sync`) before it is sent anywhere."""
+        return self.homed is False and self.dish is not None and bool(self.dish.must_be_synced)
 
     @property
     def raw_motion(self) -> bool:

@@ -21,6 +21,7 @@ _AWAITED = {
     StopMeans.NO_LINK: "STOP DID NOT REACH IT",
     StopMeans.RELEASE: "motors released",
 }
+_LEAVES_IT = (StopMeans.WAIT, StopMeans.NONE)
 _STOPPING = {
     StopMeans.WAIT: "STOP waits for the end of this move",
     StopMeans.LOOK: "STOP looks where the dish goes",
@@ -52,6 +53,18 @@ def stop_line(state: StationState, now: float, room: int | None = None) -> str:
     """Return what STOP can do now: the longest form that has room; without a limit, the longest there is."""
     forms = stop_forms(state, now)
     return forms[0] if room is None else fitting(forms, room)
+
+
+def ends_motion(state: StationState) -> bool:
+    """Return whether STOP is proven to end the present motion before it would end by itself."""
+    if state.link.state is not LinkPhase.UP or is_stopping(state):
+        return False
+    if (motion := state.motion) is not None:
+        return motion.stop_proven and motion.stop_power_s is not None and motion.stop_means not in _LEAVES_IT
+    if state.activity not in (Activity.SLEWING, Activity.FOLLOWING, Activity.MOTOR_RUN):
+        return False
+    by = state.unplanned_stop
+    return by not in _LEAVES_IT and _is_proven(state.dish, by)
 
 
 def fitting(forms: tuple[str, ...], room: int) -> str:
@@ -140,8 +153,7 @@ def _without_plan(state: StationState) -> tuple[str, ...]:
         case Activity.SLEWING | Activity.FOLLOWING | Activity.MOTOR_RUN:
             if by is StopMeans.WAIT:
                 return ("STOP at end of move",)
-            proven = dish is not None and any(rung.means is by and rung.proven for rung in dish.stop_ladder)
-            return ("STOP brings it to rest" if proven else "STOP should stop it",)
+            return ("STOP brings it to rest" if _is_proven(dish, by) else "STOP should stop it",)
     return latched if state.held is not None else ("STOP holds it where it is",)
 
 
@@ -155,6 +167,10 @@ def search_ended(dish: Facts) -> str:
 def _acts(dish: Facts | None) -> bool:
     """Return whether a STOP that sees the dish move has something to send."""
     return dish is not None and any(rung.means.is_sent for rung in dish.stop_ladder)
+
+
+def _is_proven(dish: Facts | None, by: StopMeans) -> bool:
+    return dish is not None and any(rung.means is by and rung.proven for rung in dish.stop_ladder)
 
 
 def _stopping(dish: Facts | None, stopped: StopReport | None) -> tuple[str, ...]:

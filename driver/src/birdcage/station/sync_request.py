@@ -1,4 +1,4 @@
-"""The request that tells a machine where it points."""
+"""The request that syncs a machine: where it points."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Sync:
-    """Tell a machine whose zero is where it was switched on where it points now, in true degrees. Nothing turns.
+    """Sync a machine whose zero is where it was switched on: say where it points now, in true degrees. Nothing turns.
 
     Its future resolves with the `Pointing` that is read then. CommandRefused (`unsupported`) of a machine that knows
     by itself (`Facts.no_sync`), BirdcageError (`moving`) in motion. HELD does not keep it back, and stays.

@@ -1,4 +1,4 @@
-"""Serves `Sync`: a person tells a machine whose zero is where it was switched on where it points."""
+"""Serves `Sync`: a person says where a machine points whose zero is where it was switched on."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Syncing:
         self._parts, self._store, self._antenna, self._reader = parts, parts.store, parts.antenna, parts.reader
 
     def sync(self, request: Sync) -> Pointing:
-        """Take in where it points, and return what it then tells. See `Sync` for what is raised."""
+        """Take in where it points, and return what is read then. See `Sync` for what is raised."""
         antenna, facts = self._antenna, self._antenna.rotator.facts
         if facts.no_sync:
             raise CommandRefused(f"{facts.no_sync} Nothing was changed.", reason=Reason.UNSUPPORTED)
@@ -94,7 +94,7 @@ class Syncing:
         turn, lift = shortest_turn(here.az_deg, request.az_deg), el_deg - here.el_deg
         if max(abs(turn), abs(lift)) > TELLING_DEG:
             raise ConfirmationNeeded(
-                f"It already knows where it points: azimuth {here.az_deg:.2f}°, elevation {here.el_deg:.2f}°. "
+                f"It is already synced: azimuth {here.az_deg:.2f}°, elevation {here.el_deg:.2f}°. "
                 f"That would change by {turn:+.2f}° and {lift:+.2f}°. Change it?"
             )
 

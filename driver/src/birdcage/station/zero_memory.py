@@ -1,4 +1,4 @@
-"""Remembers between programs where a machine points that was told so: while it stands as it was left, and has power.
+"""Remembers a sync between programs: while the machine stands as it was left, and has power.
 
 `docs/decisions/0082-told-zero.md`.
 """
@@ -39,7 +39,7 @@ CLOSE_S = 1.0
 
 @dataclass(frozen=True, slots=True)
 class ZeroAsLeft:
-    """What a person has told, and how the machine was left."""
+    """Where a person has synced it to, and how the machine was left."""
 
     zero_deg: Mapping[str, float]
     counted_deg: Mapping[str, float]

@@ -88,12 +88,12 @@ class Stage:
             lambda: (
                 self.state.link.state is LinkPhase.UP
                 and self.state.surveyed
-                and (self.is_found or not self.tells or self.must_be_told)
+                and (self.is_found or not self.tells or self.must_be_synced)
             ),
             self.bench.ready_s,
             "the machine was met and its position read",
         )
-        self.tell_where()
+        self.sync()
         self.until(lambda: self.state.activity is Activity.IDLE, self.bench.ready_s, "the machine was seen at rest")
         require(self.tells or self.knows_nothing(), f"it was not told, and {self.state.position} is claimed")
         return self
@@ -112,13 +112,13 @@ class Stage:
         return self.facts.tells_at_rest
 
     @property
-    def must_be_told(self) -> bool:
-        """Whether it waits for a person to tell where it points."""
+    def must_be_synced(self) -> bool:
+        """Whether it waits for a person to sync it."""
         return self.state.position_lost == Reason.UNSYNCED
 
-    def tell_where(self) -> None:
-        """Tell it that, as its mechanics have it, where only a person can."""
-        if self.must_be_told:
+    def sync(self) -> None:
+        """Sync it to where its mechanics point, where only a person can."""
+        if self.must_be_synced:
             if self.state.fault is not None:
                 self.do(AcknowledgeFault("contract"))
             self.do(Sync(self.truth.az_deg % 360.0, self.truth.el_deg, "contract", agreed=True))

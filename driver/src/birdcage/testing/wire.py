@@ -124,12 +124,12 @@ class WireContract:
         stage.until(
             lambda: (
                 stage.state.link.state is LinkPhase.UP
-                and (stage.is_found or stage.knows_nothing() or stage.must_be_told)
+                and (stage.is_found or stage.knows_nothing() or stage.must_be_synced)
             ),
             BACK_S,
             "it came back",
         )
-        stage.tell_where()
+        stage.sync()
         require(stage.rests_for(3.0), "it moves by itself after it came back")
         require(stage.truth == before, f"it stood at {before} and is at {stage.truth}")
         require(not stage.taken_since(since), f"commands of moves went out: {stage.taken_since(since)}")

@@ -85,8 +85,8 @@ MOTION = (
         "home",
     ),
     Command(
-        "sync", ("Y",), "Y", "Tell it where it points …",
-        "For a rotator whose zero is where it was switched on. Nothing moves.", "Motion", can_sync,
+        "sync", ("Y",), "Y", "Sync the rotator …",
+        "Say where it points, if its zero is where it was switched on. Nothing moves.", "Motion", can_sync,
     ),
 )  # fmt: skip
 

@@ -57,7 +57,7 @@ def motion_mend(view: View) -> Mend | None:
     if state.homed is None and not state.position_lost:
         return Mend("", "", "no position yet", "No position has been read yet")
     if state.awaits_sync:
-        return Mend("sync", "Y", "sync first", "Y tells the dish where it points first")
+        return Mend("sync", "Y", "sync first", "Y syncs the dish first")
     if state.dish is not None and state.dish.never_homes:
         return Mend("", "", "no position yet", "No position has been read yet")
     if state.dish is not None and state.dish.homing_s is None:

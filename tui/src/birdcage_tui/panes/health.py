@@ -155,8 +155,8 @@ class HealthPane(Pane):
             offset += f"  {lean}"
         homed = {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None
-        if state.dish is not None and state.dish.must_be_told:
-            homed = {True: "told where it points", False: "NOT SYNCED: Y tells it", None: "--"}[state.homed]
+        if state.dish is not None and state.dish.must_be_synced:
+            homed = {True: "synced", False: "NOT SYNCED: Y syncs it", None: "--"}[state.homed]
         elif state.dish is not None and state.dish.never_homes:
             homed = "never: it has no homing"
         elif by_itself:

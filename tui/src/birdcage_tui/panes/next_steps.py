@@ -65,7 +65,7 @@ def next_steps(view: View) -> list[tuple[str, str]]:
     elif state.homed is False and state.activity is not Activity.HOMING:
         dish = state.dish
         if state.awaits_sync:
-            steps.append(("text", "Next: look along it. Y tells it where it points. Nothing moves."))
+            steps.append(("text", "Next: look along it, then press Y to sync it: say where it points. Nothing moves."))
         elif dish is not None and dish.homing_s is None:
             steps.append(("text", "Next: switch the dish off and on. It homes by itself."))
         else:

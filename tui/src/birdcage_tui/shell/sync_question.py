@@ -1,4 +1,4 @@
-"""Asks where a machine points that has to be told, and tells it: nothing moves by it."""
+"""Asks where a machine points, and syncs it: nothing moves by it."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ WORDS = (
 )
 
 
-TITLE = "Tell it where it points"
+TITLE = "Sync: say where it points"
 
 
 class SyncHost(AppHost, Protocol):
@@ -37,7 +37,7 @@ class SyncHost(AppHost, Protocol):
 
 
 class SyncQuestion:
-    """A form of two lines; where the machine believes otherwise, that is asked before it is told."""
+    """A form of two lines; where the machine believes otherwise, that is asked before it is synced."""
 
     def __init__(self, app: App[None], host: SyncHost) -> None:
         self._app, self._host = app, host
@@ -55,15 +55,15 @@ class SyncQuestion:
         def answered(values: Values | None) -> None:
             if values is not None:
                 el_deg = _angle(values[1]) if values[1].strip() else None
-                self._tell(dish, Sync(_angle(values[0]), el_deg, YOU))
+                self._sync(dish, Sync(_angle(values[0]), el_deg, YOU))
 
         def check(values: Values) -> str:
             return _wrong(values, may_lack=measures)
 
         self._app.push_screen(FieldsScreen(TITLE, WORDS, fields, check, enter="Enter: sync"), answered)
 
-    def _tell(self, dish: ShownDish, request: Sync) -> None:
-        """Tell this dish; its answer is about it, also when it comes while another one is shown."""
+    def _sync(self, dish: ShownDish, request: Sync) -> None:
+        """Sync this dish; its answer is about it, also when it comes while another one is shown."""
 
         def done(future: Future[object]) -> None:
             error = None if future.cancelled() else future.exception()
@@ -82,7 +82,7 @@ class SyncQuestion:
 
         def answered(agreed: bool | None) -> None:
             if agreed:
-                self._tell(dish, replace(request, agreed=True))
+                self._sync(dish, replace(request, agreed=True))
 
         self._app.push_screen(QuestionScreen(TITLE, words, "sync", by_itself=True), answered)
 

@@ -95,7 +95,7 @@ def can_move(context: CommandContext, *, though_held: bool = False) -> str | Non
         if state.awaits_first_move:
             return None
         if state.awaits_sync:
-            return "The dish does not know where it points. Y tells it."
+            return "The dish does not know where it points. Sync it first (Y)."
         if state.dish is not None and state.dish.never_homes:
             return "No position has been read yet."
         if state.dish is not None and state.dish.homing_s is None:
@@ -127,7 +127,7 @@ def can_home(context: CommandContext) -> str | None:
 
 
 def can_sync(context: CommandContext) -> str | None:
-    """Return why the dish cannot be told where it points now. HELD is no reason: nothing moves by it."""
+    """Return why the dish cannot be synced now. HELD is no reason: nothing moves by it."""
     state = context.state
     if state.link.state is not LinkPhase.UP or state.dish is None:
         return "The dish does not answer."

@@ -91,8 +91,8 @@ def tells_at_rest(view: View) -> bool:
 def home_hint(view: View) -> str:
     """Return how a dish comes to know where it points, in a few words."""
     dish = view.state.dish
-    if dish is not None and dish.must_be_told:
-        return "Y tells it where it points"
+    if dish is not None and dish.must_be_synced:
+        return "Y syncs it"
     if dish is not None and dish.homing_s is None:
         return "switch it off and on: it homes by itself"
     return "H homes it"
@@ -255,7 +255,7 @@ def _last_seen(view: View) -> str:
 def _homed_by(view: View) -> str:
     """Return how it comes to know where it points, as a sentence that is not broken after its key."""
     how = home_hint(view)
-    for key in ("H homes", "Y tells"):
+    for key in ("H homes", "Y syncs"):
         how = how.replace(key, key.replace(" ", "\N{NO-BREAK SPACE}"))
     return f"{how[:1].upper()}{how[1:]}."
 

@@ -12,6 +12,7 @@ from birdcage.rotator.facts import Facts
 from birdcage.rotator.feature import SETTINGS, Feature, FeatureKind, FeaturePage, Reading, Value
 from birdcage.station.raw import CONSOLE, OTHER_CONSOLE
 from birdcage.station.state import MOVING, LinkPhase, StationState
+from birdcage.station.stop_words import ends_motion
 
 if TYPE_CHECKING:
     from birdcage_tui.shown.view import View
@@ -89,12 +90,18 @@ BESIDE = {FeaturePage.MOTORS: (FeaturePage.SETTINGS,)}
 """Pages that stand on the same tab: what limits motion is read out of the settings."""
 
 
+def in_motion(state: StationState) -> bool:
+    """Return whether nothing is read because the machine moves, or may by a raw line."""
+    return state.motion is not None or state.activity in MOVING or state.raw_motion
+
+
 def waits_for(state: StationState) -> str:
     """Return why the machine is not asked now, as a sentence; empty where it is."""
     if state.link.state is not LinkPhase.UP:
         return "The dish does not answer."
-    if state.motion is not None or state.activity in MOVING or state.raw_motion:
-        return "Nothing is read while the dish moves."
+    if in_motion(state):
+        then = "Space stops it, then r reads." if ends_motion(state) else "Once it rests, r reads."
+        return f"Nothing is read while it moves. {then}"
     if state.holder in (CONSOLE, OTHER_CONSOLE):
         return "A person has the console, so nothing else is asked."
     return ""

@@ -34,10 +34,9 @@ class TabRow(Pane):
                 x = cells.put(x, 0, f"{command.title} ", "bar")
             self.heat(start, 0, x - start, command.name)
             x += 2
-        words = self.words(view)
-        if len(words) < cells.width - x:
-            cells.right(cells.width - 1, 0, words, "bar-dim")
+        fitting = (words for words in self.words(view) if len(words) < cells.width - x)
+        cells.right(cells.width - 1, 0, next(fitting, ""), "bar-dim")
 
-    def words(self, view: View) -> str:  # noqa: ARG002 - most rows say nothing
-        """Return what stands at the right end; empty for nothing."""
-        return ""
+    def words(self, view: View) -> tuple[str, ...]:  # noqa: ARG002 - most rows say nothing
+        """Return what stands at the right end, in one form or more, the longest first; none for nothing."""
+        return ()

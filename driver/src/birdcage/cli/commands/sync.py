@@ -16,11 +16,11 @@ HOLDER = "birdcage sync"
 @click.option("--yes", is_flag=True, help="Do not ask, where the machine believes otherwise.")
 @global_options()
 def command(az: float, el: float | None, yes: bool) -> None:
-    """Tell a rotator where it points now: AZ and EL in true degrees. Nothing moves.
+    """Sync a rotator: say where it points now, AZ and EL in true degrees. Nothing moves.
 
     For a machine whose zero is where it was switched on: a rotator without a home switch. Look along it, then
-    tell it. EL may be left out where it measures its elevation itself. It holds until the machine loses its power, or
-    is moved by another program. If another birdcage program has the port, that one is told.
+    sync it. EL may be left out where it measures its elevation itself. A sync holds until the machine loses its power,
+    or another program moves it. If another birdcage program has the port, that one syncs it.
     """
     from birdcage.base.errors import ConfirmationNeeded
     from birdcage.cli.attached_command import reach_dish
@@ -39,7 +39,7 @@ def command(az: float, el: float | None, yes: bool) -> None:
             confirm(f"{words}.", yes, asked)
             found = dish.ask(Sync(az, el, HOLDER, agreed=True), WITHIN_S)
         state = dish.state
-    assert isinstance(found, Pointing), "it is told with where it then points"
+    assert isinstance(found, Pointing), "a sync ends with where it then points"
     if flags().json:
         tell_json({**position_values(found), "port": state.port, "demo": state.demo})
     else:
@@ -47,4 +47,4 @@ def command(az: float, el: float | None, yes: bool) -> None:
 
 
 WITHIN_S = 15.0
-"""How long it may take to be told."""
+"""How long a sync may take."""

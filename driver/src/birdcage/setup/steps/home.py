@@ -14,7 +14,7 @@ from birdcage.station.known import Facts
 from birdcage.station.requests import Home, Sync
 from birdcage.station.state import Activity
 
-EMPTY_EL = "empty: as it tells it"
+EMPTY_EL = "empty: its own reading"
 
 
 class HomeStep(Step):
@@ -27,13 +27,13 @@ class HomeStep(Step):
     def __init__(self, bench: SetupContext) -> None:
         super().__init__(bench)
         self._asked: Sync | None = None
-        """What it was to be told, and has asked about."""
+        """The sync that it has asked about."""
 
     @property
     def proven(self) -> bool | None:
         """Only the dish knows, and what it says counts."""
         state = self.bench.state
-        if self._told_by_a_person:
+        if self._synced_by_a_person:
             return self.bench.is_up and state.homed is True and state.position_lost is None
         if self._never:
             return self.bench.is_up
@@ -53,21 +53,21 @@ class HomeStep(Step):
         return model is not None and model.never_homes
 
     @property
-    def _told_by_a_person(self) -> bool:
+    def _synced_by_a_person(self) -> bool:
         """Whether its zero is where it was switched on."""
         model = self.bench.state.dish
-        return model is not None and bool(model.must_be_told)
+        return model is not None and bool(model.must_be_synced)
 
     def evidence(self) -> str:
         """Say where it stands."""
         state = self.bench.state
         if not self.bench.is_up:
             return "not known before the dish answers"
-        if self._told_by_a_person:
+        if self._synced_by_a_person:
             here = state.position
             if not self.proven or here is None:
-                return "not told where it points yet"
-            return f"told, now at AZ {here.az_deg:.2f} EL {here.el_deg:.2f}"
+                return "not synced yet"
+            return f"synced, now at AZ {here.az_deg:.2f} EL {here.el_deg:.2f}"
         if self._never:
             return "this dish has no homing"
         if self.proven and state.position is not None:
@@ -80,9 +80,9 @@ class HomeStep(Step):
     def words(self) -> tuple[str, ...]:
         """Name the consequence."""
         model = self.bench.state.dish
-        if self._told_by_a_person:
+        if self._synced_by_a_person:
             return (
-                "Its zero is where it was switched on, so a person tells it where it points. Nothing moves.",
+                "Its zero is where it was switched on. Sync it: say where it points. Nothing moves.",
                 "Look along it: its azimuth clockwise from true north, its elevation above the horizon.",
                 *self.trouble(),
             )
@@ -112,30 +112,30 @@ class HomeStep(Step):
         """Home it, once it answers; where it homes by itself there is nothing to press."""
         if not self.bench.is_up:
             return ()
-        if self._told_by_a_person:
+        if self._synced_by_a_person:
             fields = (Field("az_deg", "azimuth", "deg", "true"), Field("el_deg", "elevation", "deg", EMPTY_EL))
-            tell = Choice("sync", "t" if self.proven else "enter", "Tell it where it points", fields=fields)
-            sure = () if self._asked is None else (Choice("sure", "y", "It points there: tell it all the same"),)
-            return (*self.release_choice(), *sure, tell)
+            sync = Choice("sync", "t" if self.proven else "enter", "Sync: say where it points", fields=fields)
+            sure = () if self._asked is None else (Choice("sure", "y", "It points there: sync all the same"),)
+            return (*self.release_choice(), *sure, sync)
         if self._by_itself:
             return self.release_choice()
         label = "Home again" if self.proven else "Area is clear: home"
         return (*self.release_choice(), Choice("home", "h" if self.proven else "enter", label, moves=True, far=True))
 
     def take(self, choice: str, values: Mapping[str, str]) -> None:
-        """Home, tell, or release."""
+        """Home, sync, or release."""
         if choice == "sync":
             az_deg = number(values, "az_deg", "azimuth", 0.0, 360.0)
             el_deg = optional_number(values, "el_deg", "elevation", -90.0, 90.0)
-            self.begin(self._tell(Sync(az_deg, el_deg, self.bench.holder)), "telling it")
+            self.begin(self._sync(Sync(az_deg, el_deg, self.bench.holder)), "syncing")
         elif choice == "sure" and self._asked is not None:
-            self.begin(self._tell(replace(self._asked, agreed=True)), "telling it")
+            self.begin(self._sync(replace(self._asked, agreed=True)), "syncing")
         elif choice == "release":
             self.begin(self.release(), "releasing")
         else:
             self.begin(self._home(), "homing; only cutting its power stops it")
 
-    def _tell(self, request: Sync) -> Plan:
+    def _sync(self, request: Sync) -> Plan:
         self._asked = None
         try:
             yield self.bench.ask(request)
