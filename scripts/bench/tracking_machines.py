@@ -17,7 +17,7 @@ import math
 import multiprocessing
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from multiprocessing.pool import Pool
@@ -49,12 +49,16 @@ from birdcage.tracking.steps import ReadPosition, Send, Wait
 from tracking_limits import limit_deg, rates_deg_s
 from tracking_passes import Case, everything, spread
 from tracking_peers import PEERS
-from tracking_rows import OURS, POLICIES, RANDOM_DELAY, rows
+from tracking_rows import GLIDES, GLIDING, OURS, POLICIES, RANDOM_DELAY, rows
 
 EARLY_S, LEAST_S, SETTLED_S, SAMPLES_HZ = 400.0, 60.0, 5.0, 10.0
 GOAL = 3.0
 OTHERS = 3
 """Others fly every third pass."""
+OPTIONS = {
+    OURS: PursuitOptions(at_end="stay"),
+    GLIDING: PursuitOptions(controller="velocity", velocity_allowed=True, at_end="stay"),
+}
 PAUSES_S: dict[type, float] = {Send: 0.0, ReadPosition: 0.02}
 """How long a step of theirs takes."""
 
@@ -83,12 +87,12 @@ class Followed:
 class Ground:
     """A machine at its station, at rest and found."""
 
-    def __init__(self, firmware: str, case: Case) -> None:
+    def __init__(self, firmware: str, case: Case, gear: Mapping[str, float]) -> None:
         self.clock = VirtualClock(datetime.fromtimestamp(case.passing.aos.timestamp() - EARLY_S, UTC))
         name, _, options = firmware.partition("?")
         self.device = open_device(f"{name}?{'&'.join(filter(None, (options, 'seed=1')))}", clock=self.clock)
         settings = StationSettings(
-            port="sim:bench", firmware=name,
+            port="sim:bench", firmware=name, own_facts=gear,
             open_link=lambda port, baud: Link(SimPort(self.device, port, baud=baud), self.clock),
         )  # fmt: skip
         self.session = Session(self.clock, Station(self.clock, settings))
@@ -127,7 +131,9 @@ class Ground:
 
 def follow(run: Run) -> Followed | None:
     """Follow a pass; None where it is out of the machine's reach, or for less than a minute within."""
-    ground = Ground(run.firmware, run.case)
+    if run.policy == GLIDING and run.firmware not in GLIDES:
+        return None
+    ground = Ground(run.firmware, run.case, GLIDES[run.firmware] if run.policy == GLIDING else {})
     facts = ground.dish
     if facts.no_following:
         return None
@@ -144,7 +150,8 @@ def follow(run: Run) -> Followed | None:
     at_once = replace(facts, second_same=SecondMove.RETARGET, second_other=SecondMove.RETARGET)
     free = planned(replace(mount, model=at_once))
     sent = len(ground.device.shell.received)
-    walks = _ours(ground, plan, legs) if run.policy == OURS else _theirs(ground, plan, legs, PEERS[run.policy]())
+    options = OPTIONS.get(run.policy)
+    walks = _ours(ground, plan, legs, options) if options else _theirs(ground, plan, legs, PEERS[run.policy]())
     errors, times = list[float](), list[float]()
     for _ in walks:
         now_s, truth = ground.now_s(), ground.device.truth()
@@ -168,8 +175,8 @@ def answer_s(ground: Ground) -> float:
     return max((settings.latency_min + settings.latency_max) / 2.0, getattr(settings, "motor_gap_s", 0.0))
 
 
-def _ours(ground: Ground, plan: Plan, legs: list[PlanLeg]) -> Iterator[None]:
-    ground.station.submit(Pursue(plan, "bench", PursuitOptions(at_end="stay")))
+def _ours(ground: Ground, plan: Plan, legs: list[PlanLeg], options: PursuitOptions) -> Iterator[None]:
+    ground.station.submit(Pursue(plan, "bench", options))
     while ground.now_s() < legs[-1].end_s:
         ground.session.step(1.0 / SAMPLES_HZ)
         yield
@@ -225,7 +232,7 @@ def machine_rows(
     cases: Sequence[Case], pool: Pool, names: Sequence[str] = (), policies: Sequence[str] = POLICIES
 ) -> tuple[dict[str, Any], list[str]]:
     """Follow passes with each machine, print its rows, and return what they come to and which missed the goal."""
-    shown = {policy: cases if policy == OURS else cases[::OTHERS] for policy in policies}
+    shown = {policy: cases if policy in OPTIONS else cases[::OTHERS] for policy in policies}
     names = names or rows()
     runs = [Run(name, policy, case) for name in names for policy, some in shown.items() for case in some]
     found: dict[tuple[str, str], list[Followed]] = {}
@@ -244,7 +251,7 @@ def machine_rows(
         for policy in shown:
             if followed := found.get((name, policy)):
                 report[f"{name}, {policy}"] = _row(name, policy, followed, missed)
-            else:
+            elif policy != GLIDING or name in GLIDES:
                 print(f"{name:20}{policy:20}{0:8}  {wrong.get(f'{name}, {policy}', 'no pass in its reach')}")
     return {"rows": report, "failed": wrong}, missed
 
@@ -252,9 +259,10 @@ def machine_rows(
 def _row(name: str, policy: str, told: list[Followed], missed: list[str]) -> dict[str, float]:
     rms, limit = median(each.rms for each in told), median(each.limit for each in told)
     goal = GOAL if told[0].tells else 1.0
-    word = "" if policy != OURS else "none" if name in RANDOM_DELAY else "met" if rms <= goal * limit else "missed"
+    is_met = "met" if rms <= goal * limit else "missed"
+    word = "" if policy not in OPTIONS else "none" if name in RANDOM_DELAY else is_met
     if word == "missed":
-        missed.append(name)
+        missed.append(name if policy == OURS else f"{name}, {policy}")
     worst_rms, worst = max(each.rms for each in told), max(each.worst for each in told)
     print(
         f"{name:20}{policy:20}{len(told):8}{rms:9.3f}{worst_rms:9.3f}{worst:9.2f}{limit:10.3f}{rms / limit:8.1f}"
@@ -272,7 +280,7 @@ def main() -> None:
     given = parser.parse_args()
     with multiprocessing.Pool(given.processes) as pool:
         report, missed = machine_rows(
-            spread(everything(), given.passes), pool, given.machine or (), (OURS,) if given.ours else POLICIES
+            spread(everything(), given.passes), pool, given.machine or (), tuple(OPTIONS) if given.ours else POLICIES
         )
     print(json.dumps({"bench": "tracking_machines", "passes": given.passes, **report}))
     sys.exit(f"goal missed: {', '.join(missed)}" if missed else 0)
