@@ -31,6 +31,20 @@ def test_it_is_flown_with_its_forecast_and_told_to_its_end(run):
     assert "Expected error" in result.stderr or "Error" in result.stderr
 
 
+def test_a_dish_that_tells_no_position_goes_to_the_start_first_and_flies_it(run):
+    flown = run("track", "--synthetic", "--engage", "--minutes", 8, "--max-el", 50, "--speed", 60, "--rises-in", 120,
+                "--json", port="sim:pathway-x1?seed=1", firmware="pathway-x1")  # fmt: skip
+    assert flown.exit_code == 0, flown.stderr
+    assert "does not tell where it points. It first goes to azimuth" in flown.stderr
+    told = [json.loads(line) for line in flown.stdout.splitlines()]
+    plan = next(each for each in told if each["event"] == "plan")
+    place = plan["preposition"]
+    assert f"azimuth {place['true_az_deg']:.1f}°" in flown.stderr
+    phases = [each["phase"] for each in told if each["event"] == "phase"]
+    assert "following" in phases
+    assert phases[-1] == "over"
+
+
 def test_a_rotator_that_was_told_where_it_points_flies_it(run, tmp_path):
     """The other kind of machine, on a port of its own: told, sent to the start, and in control while it waits."""
     pytest.importorskip("termios", reason="a pseudo terminal is needed")

@@ -99,7 +99,10 @@ def why_unknown(state: StationState) -> str:
     if state.dish is not None and state.dish.no_direction:
         return state.dish.no_direction
     if state.awaits_first_move:
-        return "This dish does not tell where it points. `birdcage move AZ EL` sends it somewhere."
+        return (
+            "This dish does not tell where it points. While `birdcage station run` is running, `birdcage move AZ EL` "
+            "sends it somewhere, and that is remembered."
+        )
     if state.awaits_sync and state.dish is not None:
         return f"The {state.dish.name} does not know where it points. {state.dish.must_be_synced}"
     if state.position_text:

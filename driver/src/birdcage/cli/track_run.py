@@ -18,6 +18,7 @@ from birdcage.pursuit.follower import reach_end, told_reach_end
 from birdcage.pursuit.now import Mode
 from birdcage.station.events import Event, Followed, PursuitChanged
 from birdcage.station.pursuit_state import Phase
+from birdcage.station.requests import Goto
 
 if TYPE_CHECKING:
     from birdcage.cli.options import Wanted
@@ -34,6 +35,8 @@ BEGIN_S = 30.0
 """How long the plan may take, and the station to take it on."""
 EARLY_S = 1.0
 """So much before the end of its last leg a pursuit may be over that came to its end."""
+FIRST_MOVE_S = 300.0
+"""How long a move from an unknown direction may take."""
 END_S = 10.0
 """How long an end that was asked for may take: the move under way comes to rest."""
 
@@ -100,7 +103,10 @@ def _give(desk: PursuitDesk | AttachedDesk, order: TrackOrder) -> None:
 def _follow_here(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     dish.come_up(15.0)
     dish.survey()
-    need_position(dish)
+    facts = dish.state.dish
+    begins_unknown = dish.state.awaits_first_move and facts is not None and not facts.no_following
+    if not begins_unknown:
+        need_position(dish)
     setup = DeskSetup(
         wants.paths.catalogue, lambda: wants.settings, wants.paths, order.observer, dish.state.demo, order.controller,
         HOLDER, takes_up=False,
@@ -108,11 +114,34 @@ def _follow_here(dish: DishSession, wants: Wanted, order: TrackOrder) -> None:
     desk = PursuitDesk(dish.station, dish.session.clock, setup, lambda _now: None)
     try:
         desk.choose(order.text, _target(dish, order))
-        _give(desk, order)
-        desk.start()  # so that the first thing it tells is what came of all of that
+        if begins_unknown:
+            desk.start()
+            _go_to_its_start(dish, desk)
+            _give(desk, order)
+        else:
+            _give(desk, order)
+            desk.start()  # so that the first thing it tells is what came of all of that
         _Watch(dish, desk, order, HOLDER).run()
     finally:
         desk.close()
+
+
+def _go_to_its_start(dish: DishSession, desk: PursuitDesk) -> None:
+    """Send a dish that tells no position to where it waits for the target; from then on its position is modelled."""
+    deadline = dish.now + BEGIN_S
+    while desk.now.plan is None and not desk.now.problem:
+        if dish.now >= deadline:
+            raise BirdcageError(f"There was no plan within {BEGIN_S:.0f} s.", reason=Reason.TIMEOUT)
+        dish.look()
+        if desk.crash is not None:
+            raise desk.crash
+    place = None if desk.now.plan is None else desk.now.plan.preposition
+    if place is None:
+        need_position(dish)
+        return
+    az_deg, el_deg = place.true_az_deg, place.true_el_deg
+    say(f"This dish does not tell where it points. It first goes to azimuth {az_deg:.1f}°, elevation {el_deg:.1f}°.")
+    dish.ask(Goto(az_deg, el_deg, HOLDER, clamp=True), FIRST_MOVE_S)
 
 
 class _Watch:
