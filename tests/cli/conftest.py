@@ -119,10 +119,17 @@ def as_json():
 @pytest.fixture
 def owner(pty_dish):
     """A program that has the port, as the app is one."""
+    with owning(pty_dish, "g2") as session:
+        yield session
+
+
+@contextlib.contextmanager
+def owning(dish, firmware):
+    """Have the port in this process, as the app has it."""
     paths = Paths.default()
     session = open_session(
-        port=pty_dish.path,
-        firmware="g2",
+        port=dish.path,
+        firmware=firmware,
         baud=None,
         settings=load(None),
         paths=paths,
@@ -134,9 +141,7 @@ def owner(pty_dish):
     session.control_server = control_server
     session.start()
     # Other programs find it once it is announced, a little after the link is up.
-    pty_dish.wait_for(
-        lambda _truth: session.station.state.link.state is LinkPhase.UP and find_owners(owners_folder(paths))
-    )
+    dish.wait_for(lambda _truth: session.station.state.link.state is LinkPhase.UP and find_owners(owners_folder(paths)))
     yield session
     session.close()
     control_server.close()

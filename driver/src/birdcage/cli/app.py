@@ -65,7 +65,7 @@ COMMANDS = {
     "maps": "List maps of the sky, and see what one teaches.",
     "export": "Write maps of the sky into files for other programs.",
     "gear": "Show this dish's play and overshoot, set the play, or forget both.",
-    "motors": "Test the motors: measure speed and acceleration, and watch for stalls.",
+    "motors": "Test the motors: measure speed and acceleration, watch for stalls; or run one.",
     "calibrate": "Measure the alignment: peaks, pointing model, named alignments.",
     "craft": "Ask a prediction server, if you have set one.",
     "config": "Show and check birdcage.toml.",

@@ -17,7 +17,7 @@ from birdcage.rotator.feature import POSITION
 from birdcage.station.attached import AttachedStation
 from birdcage.station.control_client import find_owner, owners_folder
 from birdcage.station.network_state import NetworkState
-from birdcage.station.requests import BeginTask, EndMotion, Goto, Home, Stow, Watch
+from birdcage.station.requests import BeginTask, EndMotion, Goto, Home, Run, Stow, Watch
 from birdcage.station.session import farewell
 from birdcage.station.state import LinkPhase
 
@@ -29,7 +29,7 @@ ATTACH_S = 10.0
 """How long a program that has the port may take to answer: as long as `birdcage status` waits for it."""
 LOOK_S = 3.0
 """How long the next reading of the position is waited for."""
-SETS_IN_MOTION = (Goto, Home, Stow, BeginTask)
+SETS_IN_MOTION = (Goto, Home, Stow, BeginTask, Run)
 """Asked for, and not answered: the dish may move already, though this program has not heard so yet."""
 
 
@@ -37,6 +37,8 @@ class AttachedCommand(StationCommand):
     """Over the station of another program. What moves because of this command is its to stop, and nothing else."""
 
     station: AttachedStation
+    outlives_terminal = True
+    """Whether its motion goes on when the terminal is closed."""
 
     def __init__(self, station: AttachedStation, holder: str, *, moves: bool) -> None:
         super().__init__(station, moves=moves)
@@ -49,9 +51,9 @@ class AttachedCommand(StationCommand):
         return (heard or isinstance(self.unanswered, SETS_IN_MOTION)) and not self.leave_moving
 
     def on_signal(self, number: int) -> None:
-        """Ctrl+C is a person's STOP. A terminal that is closed stops nothing: the station goes on."""
+        """Ctrl+C is a person's STOP. A terminal that is closed stops nothing that may outlive it."""
         self.number = number  # first of all: the motion that ends now ends by this
-        if number == getattr(signal, "SIGHUP", None):
+        if self.outlives_terminal and number == getattr(signal, "SIGHUP", None):
             self.leave_moving = True
         if self.moves and not self.closing and not self.leave_moving:
             person = number == signal.SIGINT and self.in_motion

@@ -97,11 +97,11 @@ def follow_task(
         dish.look(hear)
     dish.progress.clear()
     if not ended[number].is_done:
-        raise (LinkError if _is_lost(dish) else BirdcageError)(ended[number].why)
+        raise (LinkError if is_lost(dish) else BirdcageError)(ended[number].why)
     return ended[number]
 
 
-def _is_lost(dish: StationCommand) -> bool:
+def is_lost(dish: StationCommand) -> bool:
     """Return whether the link is: that may be told a moment after the end of what it has ended."""
     until = dish.now + LINK_TOLD_S
     while dish.state.link.state is LinkPhase.UP and dish.now < until:

@@ -45,9 +45,9 @@ DUTY_RANGE = Range(-0.35, 0.35)
 """Of the supply. The firmware takes -1 to 1; its own loop never gives more than this, at which an axis is fastest."""
 DUTY = 0.1
 DUTY_HAZARD = (
-    "The motor turns while you hold the key, and STOP is sent when you let go. The firmware has no limit here, and "
-    "does not end this by itself. If this computer, its cable or this program fails while it turns, only the switch of "
-    "the motor supply ends it. Keep the swing clear, and a hand at that switch."
+    "The motor turns while you hold the key, or for the seconds of `birdcage motors run`. Then STOP is sent. The "
+    "firmware has no limit here, and does not end this by itself. If this computer, its cable or this program fails "
+    "while it turns, only the switch of the motor supply ends it. Keep the swing clear, and a hand at that switch."
 )
 Ask = Callable[["EasycommRotator"], Mapping[str, Value]]
 

@@ -59,6 +59,14 @@ def may_be_set(feature: str) -> str:
     return f"Whether {feature} was set is not known."
 
 
+def only_held(feature: str, label: str) -> str:
+    """Return why a feature that is `HELD` is not set, and what runs it."""
+    return (
+        f"{label}: it runs only while it is held. F4, Motors does that, and `birdcage motors run {feature} VALUE` for "
+        "a moment. Nothing was sent."
+    )
+
+
 def error_values(error: BirdcageError) -> Values:
     """Return an error, for another process to raise, with the numbers and values that it carries."""
     told: dict[str, object] = {"kind": type(error).__name__, "reason": error.reason, "sentence": str(error)}

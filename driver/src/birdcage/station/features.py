@@ -10,6 +10,7 @@ from birdcage.base.errors import CommandRefused, ConfirmationNeeded, LeaseDenied
 from birdcage.base.reason import Reason
 from birdcage.rotator.feature import END_TV_SEARCH, TV_SEARCH, Feature, FeatureKind, Reading, Value, speed_of
 from birdcage.station.applying import refuse_while_moving
+from birdcage.station.feature_report import only_held
 from birdcage.station.menu_visit import MenuVisit
 from birdcage.station.parts import Parts
 from birdcage.station.raw import CONSOLE
@@ -59,10 +60,7 @@ class FeatureHandler:
         feature, value = self._feature(request.feature, readable=False), request.value
         feature.check(value)
         if feature.kind is FeatureKind.HELD:
-            raise CommandRefused(
-                f"{feature.label}: it runs only while it is held. F4, Motors does that. Nothing was sent.",
-                reason=Reason.UNSUPPORTED,
-            )
+            raise CommandRefused(only_held(feature.id, feature.label), reason=Reason.UNSUPPORTED)
         if feature.hazard and not request.agreed:
             raise ConfirmationNeeded(f"{feature.hazard} Nothing was sent.")
         axes = {speed_of(axis.name): axis for axis in self._antenna.rotator.facts.axes}

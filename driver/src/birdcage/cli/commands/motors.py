@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from birdcage.cli.commands.motors_run import run
 from birdcage.cli.exits import EPILOG
 from birdcage.cli.options import flags, global_options, wanted
 
@@ -20,17 +21,30 @@ TAKES_S = 300.0
 """For all ways of both axes: a quick dish takes half a minute."""
 
 
-@click.command("motors", epilog=EPILOG)
+@click.group("motors", epilog=EPILOG, invoke_without_command=True)
 @click.option("--axis", type=click.Choice(AXES), help="Test this axis only.  [default: both, one after the other]")
 @click.option("--yes", is_flag=True, help="Do not ask.")
+@click.pass_context
 @global_options()
-def command(axis: str | None, yes: bool) -> None:
+def command(context: click.Context, axis: str | None, yes: bool) -> None:
     """Test the motors: measure speed and acceleration, and watch for stalls. Ctrl+C stops the dish.
 
     Each axis turns up to 60 degrees to and fro, three times, at full speed, and then back to where it stood. Limits,
     cable and no-go sectors may make that shorter. The position is read all the way. What was measured is printed beside
     what is expected, and kept. A motor that stalls ends the test, and the exit status is 1.
+
+    With `run`, a motor runs for some seconds instead, without a target.
     """
+    if context.invoked_subcommand is None:
+        _test(axis, yes)
+    elif axis or yes:
+        raise click.UsageError(f"Give no --axis with {context.invoked_subcommand}, and --yes behind it.")
+
+
+command.add_command(run)
+
+
+def _test(axis: str | None, yes: bool) -> None:
     from birdcage.base.errors import BirdcageError
     from birdcage.cli.attached_command import reach_dish
     from birdcage.cli.dish import need_position

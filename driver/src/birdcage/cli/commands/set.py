@@ -33,6 +33,7 @@ def command(name: str, value: str | None, yes: bool) -> None:
     from birdcage.cli.dish_features import list_features, set_feature
     from birdcage.cli.say import say, tell, tell_json
     from birdcage.rotator.feature import DISEQC
+    from birdcage.station.feature_report import only_held
 
     no_options_among([name] if value is None else [name, value])
     dish = wanted()
@@ -44,6 +45,8 @@ def command(name: str, value: str | None, yes: bool) -> None:
             "has.",
             reason=Reason.UNSUPPORTED,
         )
+    if row["kind"] == "held":
+        raise CommandRefused(only_held(name, row["label"]), reason=Reason.UNSUPPORTED)
     meant = _value(row, value)
     if name == DISEQC:
         say(_message(str(meant)))
