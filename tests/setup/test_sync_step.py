@@ -53,6 +53,14 @@ def test_it_asks_for_the_direction_and_is_done_once_told(told):
     assert stage.twin.sent_to == []
 
 
+def test_the_other_steps_ask_for_a_sync_and_no_homing(told):
+    _stage, setup, answer = told
+    assert "Sync it first: step 4." in setup.step("direction").words
+    assert "To point there, sync it (step 4) and set north (step 10)." in setup.step("first").words
+    answer("sync", az_deg="200", el_deg="")
+    assert "Sync it first: step 4." not in setup.step("direction").words
+
+
 def test_what_it_believes_otherwise_takes_a_second_word(told):
     stage, _setup, answer = told
     asked = answer("sync", az_deg="200", el_deg="70")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import pytest
 from birdcage.base.errors import (
     BirdcageError,
@@ -11,9 +13,12 @@ from birdcage.base.errors import (
     OutOfRange,
     PositionUnknown,
 )
+from birdcage.station.events import TaskChanged
 from birdcage.station.json_form import request_from_json, to_json
-from birdcage.station.requests import AcquireLease, Goto, Jog, Release, Sync
+from birdcage.station.requests import AcquireLease, BeginTask, Goto, Jog, Release, Sync
+from birdcage.station.task import ItemTask
 from birdcage.testing import MachineBench, Stage
+from birdcage.tracking.steps import ReadPosition
 from installed_toys import installed
 
 from .conftest import Bench
@@ -50,6 +55,29 @@ def test_before_it_is_told_nothing_is_known_and_nothing_sent(stage):
         assert isinstance(refused, PositionUnknown) or "unknown" in str(refused)
     assert "`birdcage sync AZ EL`" in str(stage.refused(Goto(90.0, 30.0, "you"), PositionUnknown))
     assert stage.twin.sent_to == []
+
+
+@dataclass
+class Glance(ItemTask[int]):
+    """A task that reads once where the dish is."""
+
+    kind = "glance"
+    holder: str
+
+    def items(self):
+        return (1,)
+
+    def do(self, item):
+        yield ReadPosition()
+
+
+def test_a_task_that_needs_its_position_asks_for_a_sync_and_no_homing(twins):
+    with met(twins, {"tasks": {Glance.kind: Glance}}) as stage:
+        stage.do(BeginTask(Glance.kind, {}, "you"))
+        stage.step(2.0)
+        why = [event.task.why for event in stage.events if isinstance(event, TaskChanged)][-1]
+    assert "Sync it: `birdcage sync AZ EL`" in why
+    assert "Home it" not in why
 
 
 def test_told_it_knows_and_goes_where_it_is_sent(stage):

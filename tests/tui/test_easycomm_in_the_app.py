@@ -74,7 +74,14 @@ def test_f4_shows_its_gains_counts_and_accelerometer():
         for _ in range(12):
             await house.step(1.0)
         shown = house.text()
-        for word in ("Proportional gain", "0.15", "Encoder ticks", "9784", "Accelerometer", "Take the elevation"):
+        for word in (
+            "Proportional gain",
+            "0.15",
+            "Encoder ticks",
+            "9784",
+            "Accelerometer",
+            "Recalibrate the elevation",
+        ):
             assert word in shown, word
         assert {"GAINS", "TICKS", "IMU", "GS", "GE"} <= set(lines(house))
 
@@ -106,6 +113,7 @@ async def on_the_motor(house):
     while "Hold + to run the azimuth motor at 0.1" not in house.text():
         await house.pilot.press("down")
         await house.step(0.1)
+    assert "birdcage set" not in house.text(), "it refuses what runs only while it is held"
     await house.pilot.press("plus")
     await house.step(0.1)
     assert "allow the keys" in house.text()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from concurrent.futures import Future
 from dataclasses import replace
 
@@ -31,6 +32,8 @@ def test_it_says_what_is_missing_and_which_key_helps(size):
     assert "NOT HOMED" not in shown
     assert "Y\N{NO-BREAK SPACE}syncs it" in shown or "Y syncs it" in shown
     assert "H homes" not in shown
+    if size[0] >= 120:
+        assert re.search(r"synced +NO: Y syncs it", shown)
 
 
 def test_nothing_is_homed_and_nothing_sent():

@@ -66,7 +66,7 @@ def test_where_nothing_is_wrong_it_says_so_and_what_was_looked_at():
 
 def test_what_goes_by_itself_cannot_be_acknowledged():
     text, _ = shown(health_stand_in.NOW, (120, 36), "down", "a")
-    assert "it goes when its cause is gone" in text
+    assert "it clears when its cause is gone" in text
 
 
 class Beside:

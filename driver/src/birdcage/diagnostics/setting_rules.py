@@ -30,7 +30,7 @@ def not_homed(seen: Examination) -> Iterator[Finding]:
             "homed", Urgency.STOPS,
             "The dish is not synced: it does not know where it points." if seen.state.awaits_sync
             else "The dish is not homed: it does not know where it points.",
-            "Nothing can be pointed before that.", (seen.home_it,), lasts=True,
+            "Nothing can be pointed until it does.", (seen.home_it,), lasts=True,
         )  # fmt: skip
 
 

@@ -165,7 +165,7 @@ def _input(index: int, name: str, label: str, unit: str = "", kind: FeatureKind 
 
 _SHARED = (
     FeatureRow(
-        Feature(VERSION, "Version of the firmware", kind=FeatureKind.TEXT, cost=Cost(while_moving=True), asked="VE",
+        Feature(VERSION, "Firmware version", kind=FeatureKind.TEXT, cost=Cost(while_moving=True), asked="VE",
                 page=FeaturePage.HARDWARE, group="State"),
         _version,
     ),
@@ -184,7 +184,7 @@ _RP2040 = (
     _motor("ticks.azimuth", "Encoder, azimuth", "Encoders", "TICKS", _ticks, "ticks"),
     _motor("ticks.elevation", "Encoder, elevation", "Encoders", "TICKS", _ticks, "ticks"),
     FeatureRow(
-        Feature("zero", "Count both encoders from here", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE, told=False,
+        Feature("zero", "Zero both encoders", kind=FeatureKind.MOMENTARY, writer=Writer.AT_ONCE, told=False,
                 hazard=ZERO_HAZARD, page=FeaturePage.MOTORS, group="Encoders", asked="ZERO", cost=Cost(5)),
         write=_zero,
     ),
@@ -193,12 +193,12 @@ _RP2040 = (
     _gain("kp", "Proportional gain"),
     _gain("ki", "Integral gain"),
     _gain("kd", "Derivative gain"),
-    _motor("imu.elevation", "Elevation by the accelerometer", "Accelerometer", "IMU", _imu, "deg"),
+    _motor("imu.elevation", "Elevation as measured", "Accelerometer", "IMU", _imu, "deg"),
     _motor("imu.x", "Along the boom", "Accelerometer", "IMU", _imu, "g"),
-    _motor("imu.y", "Across it", "Accelerometer", "IMU", _imu, "g"),
-    _motor("imu.z", "Upright", "Accelerometer", "IMU", _imu, "g"),
+    _motor("imu.y", "Across the boom", "Accelerometer", "IMU", _imu, "g"),
+    _motor("imu.z", "Vertical", "Accelerometer", "IMU", _imu, "g"),
     FeatureRow(
-        Feature("recal", "Take the elevation from the accelerometer", kind=FeatureKind.MOMENTARY,
+        Feature("recal", "Recalibrate the elevation", kind=FeatureKind.MOMENTARY,
                 writer=Writer.AT_ONCE, told=False, hazard=RECAL_HAZARD, page=FeaturePage.MOTORS,
                 group="Accelerometer", asked="RECAL"),
         write=_recal,

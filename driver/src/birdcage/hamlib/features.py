@@ -41,7 +41,7 @@ def _set_speed(server: HamlibRotator, value: Value) -> dict[str, Value]:
 FEATURES = FeatureTable(
     FeatureRow(
         Feature(
-            INFO, "What the server calls its rotator", kind=FeatureKind.TEXT, cost=_SOMETIMES,
+            INFO, "Name from the server", kind=FeatureKind.TEXT, cost=_SOMETIMES,
             page=FeaturePage.HARDWARE, group="Server", asked="_",
         ),
         _info,
@@ -49,7 +49,7 @@ FEATURES = FeatureTable(
     FeatureRow(
         Feature(
             STATUS, "Status flags", kind=FeatureKind.TEXT, cost=_SOMETIMES, page=FeaturePage.MOTORS, group="Motors",
-            asked=GET_STATUS, note="Not every rotator tells them.",
+            asked=GET_STATUS, note="Not every rotator reports them.",
         ),
         _status,
     ),
@@ -57,7 +57,7 @@ FEATURES = FeatureTable(
         Feature(
             SPEED, "Speed level", "", FeatureKind.NUMBER, SPEED_RANGE, Writer.UNTIL_RESTART, cost=_SOMETIMES,
             page=FeaturePage.MOTORS, group="Motors", asked=GET_SPEED,
-            note="1 is the slowest and 100 the fastest; what that is in degrees a second, the rotator decides.",
+            note="1 is the slowest, 100 the fastest. The rotator decides how many degrees a second that is.",
         ),
         _speed, _set_speed,
     ),

@@ -70,6 +70,12 @@ class SetupContext:
         seen = state.position if state.position_lost is None and self.is_up else None
         return seen if seen is not None and self.now - seen.at <= FRESH_S else None
 
+    @property
+    def step_4(self) -> str:
+        """What step 4 does to this machine: `home`, or `sync` where only a person can say where it points."""
+        dish = self.state.dish
+        return "sync" if dish is not None and dish.must_be_synced else "home"
+
     def kept(self, step: str) -> KeptStep | None:
         """Return what the file keeps of a step."""
         return self.settings.setup.kept(step)

@@ -52,7 +52,7 @@ class TunerSource:
         dish = self._station.state.dish
         if dish is None or dish.has_rssi:
             return ""
-        others = "s on F3 or --source NAME chooses another source, signal in the table of its feed for good."
+        others = "s on F3 or --source NAME chooses another source. To keep it, set signal in the feed's table."
         return f"The {dish.name} has no tuner to read. {others}"
 
     def subscribe(self, hear: Hear) -> Callable[[], None]:

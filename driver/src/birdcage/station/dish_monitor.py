@@ -26,6 +26,8 @@ UNASKED_POLL_S = 0.2
 RESTING = (Activity.IDLE, Activity.UNKNOWN, Activity.MOVING_UNASKED)
 """While a dish does one of these, only the monitor looks where it is."""
 THEN_HOME = "Wait until it is quiet, then acknowledge and home it."
+THEN_SYNC = "Acknowledge, then sync it."
+AGAIN = "Acknowledge, then home it. If it homes at power-up, switch it off and on."
 LESS_THAN_A_FAILED_HOMING = (FaultReason.REBOOT, FaultReason.UNHOMED)
 """Faults that say less than that an axis failed to home, which takes their place."""
 
@@ -233,14 +235,16 @@ class DishMonitor:
         )  # fmt: skip
 
     def _forgotten(self) -> None:
-        """Homing was lost without boot text: as after a dip of the supply."""
+        """Homing, or a sync, was lost without boot text: as after a dip of the supply."""
+        synced = bool(self._antenna.rotator.facts.must_be_synced)
         self._antenna.moving.forget()
         self._reader.forget_survey()
         self.interrupted(HeldReason.FAULT)
         self.raise_fault(
             FaultReason.UNHOMED, "The dish no longer knows where it points",
-            "It was homed a moment ago. Its power dipped, or it restarted silently.",
-            "Check its power and cable. Acknowledge, then home it. If it homes at power-up, switch it off and on.",
+            "It was synced a moment ago. Its zero was changed, its power dipped, or it restarted silently." if synced
+            else "It was homed a moment ago. Its power dipped, or it restarted silently.",
+            f"Check its power and cable. {THEN_SYNC if synced else AGAIN}",
         )  # fmt: skip
 
     def raise_fault(
@@ -292,7 +296,7 @@ class DishMonitor:
                 self.raise_fault(
                     FaultReason.REBOOT, f"The dish has restarted: {line.strip()!r}",
                     told or "It homes by itself or must be homed, and may start its TV search.",
-                    f"Check its power and cable. {'Acknowledge, then sync it.' if told else THEN_HOME}",
+                    f"Check its power and cable. {THEN_SYNC if told else THEN_HOME}",
                 )  # fmt: skip
         self._failed_to_home = False
 

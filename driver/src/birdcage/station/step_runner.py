@@ -52,7 +52,7 @@ MOST_LATE = 3
 ON_ITS_WAY_S = 0.15
 """On a dish whose moves queue, the next command may leave so long before the one under way ends."""
 
-LOST = "The dish no longer knows where it points. Home it first."
+LOST, HOME_IT = "The dish no longer knows where it points.", "Home it first."
 STALE_S = 1.2
 """So long after the last reading a dish whose moves queue is looked at before it gets another."""
 SHOW_S = 0.1
@@ -266,7 +266,7 @@ class StepRunner:
         here = self._reader.position()  # slower than modelled, perhaps: then nothing is to wait behind it
         self._ends_at = self._store.clock.monotonic()
         if here is None:
-            raise PositionUnknown(LOST, reason=Reason.UNHOMED)
+            raise PositionUnknown(f"{LOST} {self._antenna.model.must_be_synced or HOME_IT}", reason=Reason.UNHOMED)
         return not lags(here, motion, clock.rate)
 
     def _send_long(self, step: Send) -> StepResult:
@@ -389,7 +389,7 @@ class StepRunner:
         if self._follows:
             self._show()
         if pointing is None:
-            raise PositionUnknown(LOST, reason=Reason.UNHOMED)
+            raise PositionUnknown(f"{LOST} {self._antenna.model.must_be_synced or HOME_IT}", reason=Reason.UNHOMED)
         self._unsure_move.see_it_follow(pointing, self._unsure)
         now_s = self.now_s
         az_deg = self.unrolled(pointing.dish_az_deg)

@@ -153,10 +153,10 @@ class HealthPane(Pane):
         offset = f"az {state.az_offset_deg:+.2f}°  el {state.el_offset_deg:+.2f}°"
         if lean := state.alignment.lean_words():
             offset += f"  {lean}"
-        homed = {True: "yes", False: "NO", None: "--"}[state.homed]
+        found, homed = "homed", {True: "yes", False: "NO", None: "--"}[state.homed]
         by_itself = state.dish is not None and state.dish.homing_s is None
         if state.dish is not None and state.dish.must_be_synced:
-            homed = {True: "synced", False: "NOT SYNCED: Y syncs it", None: "--"}[state.homed]
+            found, homed = "synced", {True: "yes", False: "NO: Y syncs it", None: "--"}[state.homed]
         elif state.dish is not None and state.dish.never_homes:
             homed = "never: it has no homing"
         elif by_itself:
@@ -168,7 +168,7 @@ class HealthPane(Pane):
             (_OK if up else _NO, "link", f"{LINK[link.state][1]}{f', {trip}{noise}' if up else ''}"),
             (_OK if up else _UNKNOWN, "port", f"{through(state.port.split('?')[0] or '--', view)}{heard}"),
             *((_NO, subject, words) for subject, words in state.warnings.items()),
-            (_UNKNOWN if state.homed is None else ok if state.homed else _NO, "homed", homed),
+            (_UNKNOWN if state.homed is None else ok if state.homed else _NO, found, homed),
             (
                 {"off": ok, "off until power-up": ok, "none": ok, "RUNNING": _NO}.get(search, _UNKNOWN),
                 "TV search",

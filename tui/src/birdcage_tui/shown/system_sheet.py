@@ -211,5 +211,5 @@ def may_be_set_words(feature: Feature) -> str:
         return ""
     limits = "" if feature.range is None else f" {feature.range} {feature.unit}".rstrip()
     if feature.held is not None:
-        return f"e chooses at which value it runs, up to {0.0 if feature.range is None else feature.range.high:g}"
+        return f"e sets the value it runs at, up to {0.0 if feature.range is None else feature.range.high:g}"
     return f"Set{limits}, {feature.writer.value}" if feature.kind is not FeatureKind.MOMENTARY else "Done at once"

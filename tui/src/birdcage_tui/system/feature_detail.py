@@ -18,9 +18,9 @@ def held_words(feature: Feature, value: float) -> str:
 
     assert feature.held is not None, "whoever asks has looked"
     return (
-        f"Hold + to run the {feature.held.axis} motor at {value:g}, - at {-value:g}. A terminal tells only repeats of "
-        f"a key. STOP is sent {HOLD_S:g} s after the last one, {FIRST_S:g} s after a single press, and short of a "
-        "limit. Space stops it at once."
+        f"Hold + to run the {feature.held.axis} motor at {value:g}, - at {-value:g}. A terminal reports repeats of a "
+        f"key, not its release. STOP is sent {HOLD_S:g} s after the last repeat, {FIRST_S:g} s after a single press, "
+        "and short of a limit. Space stops it at once."
     )
 
 
@@ -41,9 +41,10 @@ def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
     say("text", f"{words}." if (words := may_be_set_words(feature)) else "")
     say("dim", feature.note)
     say("warn", f"▲ {hazard}" if (hazard := feature.hazard or feature.read_hazard) else "")
-    asked = f"Asked by {feature.asked}. " if feature.asked else ""
-    command = "get" if feature.is_readable else "set" if feature.is_writable else ""
-    say("dim", f"{asked}`birdcage {command} {feature.id}` does it in a shell." if command else "")
+    asked = f"Command: {feature.asked}. " if feature.asked else ""
+    may_set = feature.is_writable and feature.held is None  # `birdcage set` refuses a motor that a held key runs
+    command = "get" if feature.is_readable else "set" if may_set else ""
+    say("dim", f"{asked}In a shell: `birdcage {command} {feature.id}`." if command else asked.rstrip())
     printed = lines_of(feature, sheet_readings(view))
     if len(printed) > 1:
         lines += [("", ""), *(("text", line) for line in printed)]

@@ -119,7 +119,7 @@ class FindingsPane(CursorPane):
         if finding.since is not None:
             times = "once" if finding.count == 1 else f"{finding.count} times"
             lines += _wrapped("dim", f"{times}, first {finding.since:%d %b %H:%M}Z", width)
-        goes = "It goes when its cause is gone." if finding.lasts else "a: you have seen it."
+        goes = "It clears when its cause is gone." if finding.lasts else "a: you have seen it."
         lines += _wrapped("dim", goes, width)
         return Detail("What to do", lines)
 

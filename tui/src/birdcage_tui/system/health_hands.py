@@ -41,6 +41,6 @@ class HealthHands:
         if finding is None:
             self._page.host.say("Nothing to acknowledge.")
         elif finding.lasts:
-            self._page.host.say("That can't be acknowledged: it goes when its cause is gone.")
+            self._page.host.say("That can't be acknowledged: it clears when its cause is gone.")
         else:
             self._page.host.system.health.acknowledge(finding, self._page.host.say)

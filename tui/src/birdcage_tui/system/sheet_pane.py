@@ -106,7 +106,7 @@ class SheetPane(CursorPane):
         self.hits = []
         if not rows:
             dish = view.state.dish
-            words = "The dish is not known yet." if dish is None else f"The {dish.name} tells nothing of this."
+            words = "The dish is not known yet." if dish is None else f"The {dish.name} reports nothing here."
             cells.put(1, 0, words, "dim")
             for y, below in enumerate(rest_lines(view, self.page_of_features, cells.width), 1):
                 cells.put(0, y, below, "dim")

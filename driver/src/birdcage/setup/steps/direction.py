@@ -45,7 +45,11 @@ class DirectionStep(Step):
             f"Turns {STEP_DEG:g}° in azimuth, then {STEP_DEG:g}° in elevation, and asks each time which way it went.",
             "Then it goes back. Stand where you can see it, out of its swing.",
             *self.trouble(),
-            *(("Home it first: step 4.",) if self.bench.is_up and self.bench.position is None else ()),
+            *(
+                (f"{self.bench.step_4.capitalize()} it first: step 4.",)
+                if self.bench.is_up and self.bench.position is None
+                else ()
+            ),
         )
 
     def choices(self) -> tuple[Choice, ...]:

@@ -99,7 +99,8 @@ class FirstStep(Step):
 
     def words(self) -> tuple[str, ...]:
         """Say what is there, what the search does, and what it has found."""
-        missing = () if self._aligned else ("To point there, home it (step 4) and set north (step 10).",)
+        first = f"To point there, {self.bench.step_4} it (step 4) and set north (step 10)."
+        missing = () if self._aligned else (first,)
         if self.bench.settings.place.latitude_deg is None:
             where: tuple[str, ...] = ("Set the location in step 9 first: directions need it.",)
         elif self._found is not None and self._meant is not None:

@@ -72,7 +72,7 @@ def _resting_position(bench: SetupContext) -> Pointing:
     position = bench.position
     if position is None:
         lost = bench.state.position_lost
-        raise NotYet(f"The dish's direction is unknown{f' ({lost})' if lost else ''}: home it, step 4.")
+        raise NotYet(f"The dish's direction is unknown{f' ({lost})' if lost else ''}: {bench.step_4} it, step 4.")
     if bench.state.motion is not None or bench.state.activity is not Activity.IDLE:
         raise NotYet("The dish is moving. Wait until it rests.")
     return position
