@@ -40,6 +40,11 @@ class AzEl:
         """By how much a machine with a mapping may miss a direction that it is sent to."""
         self._told: Facts | None = None
         """Its facts once a person has told where its zeros point."""
+        self.check_zero: Callable[[Mapping[str, float]], None] | None = None
+        """Hears where it counts its axes to stand, while it is in doubt whether what was told still holds.
+
+        It raises PositionUnknown (`unsynced`) where that does not, and NoReply where another reading must tell.
+        """
 
     def __getattr__(self, name: str) -> Any:  # noqa: ANN401 - whatever the machine has
         return getattr(self._rotator, name)
@@ -58,6 +63,7 @@ class AzEl:
 
     def tell_zero(self, zero_deg: Mapping[str, float] | None) -> None:
         """Take in where the zeros of the machine point, by the names of its axes; None: not known (any more)."""
+        self.check_zero = None
         self._told = None if zero_deg is None else self._rotator.facts.told_zero(zero_deg)
 
     def counted(self) -> Mapping[str, float]:
@@ -137,6 +143,8 @@ class AzEl:
         if facts.zero_at_power_up:
             if self._told is None:
                 raise PositionUnknown(f"The position is unknown. {facts.must_be_synced}", reason=Reason.UNSYNCED)
+            if self.check_zero is not None:
+                self.check_zero(angles)
             angles = {name: deg + facts.zero_deg.get(name, 0.0) for name, deg in angles.items()}
         if facts.mapping is not None:
             return Position(*facts.mapping.to_sky(angles))

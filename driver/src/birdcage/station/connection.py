@@ -144,6 +144,7 @@ class Connection:
         """The port is there, the dish does not answer, or not what was asked."""
         if self._rotator.is_open:
             self.note_reply()  # that one was lost while the dish answered; what is tried from now on does not count
+        self._signals.silent(silence.reason)
         self._forget()
         now, link = self._store.clock.monotonic(), self._store.state.link
         self.due = now + SILENT_RETRY_S

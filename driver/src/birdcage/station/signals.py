@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Generic, ParamSpec
 
 from birdcage.base.held import HeldReason
+from birdcage.base.reason import Reason
 
 Told = ParamSpec("Told")
 
@@ -36,6 +37,9 @@ class Signals:
 
     port_found: Signal[[str]] = field(default_factory=Signal)
     """A port is about to be opened: what is remembered of the dish at it counts."""
+    silent: Signal[[Reason | None]] = field(default_factory=Signal)
+    """The dish does not answer, or not what was asked, while its port stays open; sent for each try, with the reason.
+    """
     position_read: Signal[[]] = field(default_factory=Signal)
     """The gate has a position that was just read; nothing is told of it yet."""
     forgotten: Signal[[]] = field(default_factory=Signal)

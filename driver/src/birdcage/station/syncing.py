@@ -12,8 +12,8 @@ from birdcage.rotator.readings import settled
 from birdcage.station.applying import refuse_while_moving
 from birdcage.station.parts import Parts
 from birdcage.station.requests import Sync
+from birdcage.station.silent_zero import SAME_DEG
 from birdcage.station.state import Pointing
-from birdcage.station.zero_memory import SAME_DEG
 
 APART_S = 0.5
 """A dish at rest says the same again after so long."""

@@ -9,27 +9,29 @@ import contextlib
 import json
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from pathlib import Path
 
 from birdcage.antenna.antenna import BirdcageAntenna
 from birdcage.base.background import BackgroundWriter
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, PositionUnknown
 from birdcage.base.geometry import shortest_turn, wrap_360
 from birdcage.base.paths import write_aside_and_rename
+from birdcage.base.reason import Reason
 from birdcage.link.identity import dish_folder, made_at
 from birdcage.rotator.facts import CableTurn, Facts
+from birdcage.rotator.ladder import StopMeans
+from birdcage.rotator.readings import UnreadablePosition
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import ActivityChanged, Event, PositionRead
 from birdcage.station.signals import Signals
+from birdcage.station.silent_zero import SAME_DEG, SilentZero, WayWatch
 from birdcage.station.state import Activity, Pointing
 from birdcage.station.state_store import StateStore
 
 FILE = "zero.json"
 LONGEST = 4096
-SAME_DEG = 0.25
-"""Such machines tell tenths of a degree, and the last one may waver."""
 START_DEG = 2.0
 """So near to its zeros a machine may stand because it was switched on there just now."""
 START_S = 3600.0
@@ -64,15 +66,24 @@ class ZeroMemory:
         """What the first reading must agree with; None once it was compared."""
         self._kept: ZeroAsLeft | None = None
         """What is on disk, or on its way there."""
+        self._way = WayWatch()
+        self._silent: SilentZero | None = None
+        """How it was left as it fell silent; None while it is not, or was told nothing."""
+        self._unheard_since = math.inf
+        """Since when no byte came, in monotonic seconds."""
+        self._contradicted = False
+        """Whether one reading since has said that it lost its power."""
         self._writer: BackgroundWriter[tuple[Path, bytes | None]] | None = None
         reader.recall_zero = self.recall
         store.subscribe(self._hear, PositionRead, ActivityChanged)
         signals.port_found.connect(self.meet)
+        signals.silent.connect(self.doubt)
         signals.restarted.connect(self.drop)
 
     def meet(self, port: str) -> None:
         """Take in that the machine is at `port` from now on. What was told counts if it stands as it was left."""
         self._forget()
+        self._believe()
         identity = self._identify(port)
         self._file = self._kept = None
         self._made = made_at(port)
@@ -80,6 +91,71 @@ class ZeroMemory:
             self._file = dish_folder(self._state_folder, identity) / FILE
             self._kept = read_zero(self._file, self._antenna.rotator.facts)
         self._left = self._kept
+
+    def doubt(self, reason: Reason | None) -> None:
+        """The machine does not answer. Where no byte comes it may be without power: the next reading tells.
+
+        A damaged answer is one: whoever talks has power.
+        """
+        rotator, now = self._antenna.rotator, self._store.clock.monotonic()
+        if reason is not Reason.SILENT:
+            self._note_silence(now)
+            self._unheard_since = math.inf
+            return
+        heard = rotator.line.last_reply
+        since = self._way.seen_at if heard is None else heard
+        if since > self._unheard_since:
+            self._note_silence(since)
+        self._unheard_since = since
+        if rotator.check_zero is None and rotator.facts.zero_deg and self._way.seen:
+            self._look_ahead(taken=False)
+            turns = rotator.facts.turn is CableTurn.REPORTED
+            self._silent = SilentZero(rotator.facts.zero_deg, self._way.may_be_deg, turns, 0.0, rotator.facts.boot_s)
+            self._contradicted = False
+            rotator.check_zero = self._check
+
+    def _note_silence(self, now: float) -> None:
+        if self._silent is not None and now - self._unheard_since > self._silent.silent_s:
+            self._silent = replace(self._silent, silent_s=now - self._unheard_since)
+
+    def _check(self, counted: Mapping[str, float]) -> None:
+        """See by the first reading after a silence whether the machine had power. See `AzEl.check_zero`."""
+        self._note_silence(self._store.clock.monotonic())
+        stop = self._store.state.last_stop
+        # Such a STOP may have brought one that has started to the very count where it was left.
+        aimed = stop is not None and stop.means is StopMeans.RETARGET and stop.at > self._way.seen_at
+        if self._silent is None or (not aimed and self._silent.holds_at(counted)):
+            self._believe()
+            return
+        if not self._contradicted:
+            self._contradicted = True  # a digit may be lost on the wire: two readings must agree
+            raise UnreadablePosition("After a silence the machine counts otherwise than before.", [str(dict(counted))])
+        self._believe()
+        self._way.forget()
+        self._forget()
+        self._keep(None)  # nor does a later program believe it
+        raise PositionUnknown(
+            "The position is unknown: the machine was silent, and may have lost its power. "
+            f"{self._antenna.rotator.facts.must_be_synced}", reason=Reason.UNSYNCED,
+        )  # fmt: skip
+
+    def _believe(self) -> None:
+        self._silent, self._unheard_since = None, math.inf
+        self._antenna.rotator.check_zero = None
+
+    def _look_ahead(self, *, taken: bool) -> None:
+        """Take in where the machine is on its way to, as it counts."""
+        motion, facts = self._antenna.motion, self._antenna.rotator.facts
+        az, el = facts.azimuth.name, facts.elevation.name
+        if motion is not None:
+            turn = motion.azimuth
+            stood = self._way.seen[az]
+            ahead = shortest_turn(stood + facts.zero_deg[az], turn.read_deg) + turn.slew.end_deg - turn.read_deg
+            el_deg = motion.elevation.slew.end_deg - facts.zero_deg.get(el, 0.0)
+            self._way.send({az: stood + ahead, el: el_deg}, taken=taken)
+        elif self._antenna.moving.motor_runs:
+            for way in (-math.inf, math.inf):
+                self._way.send({az: way, el: way}, taken=False)
 
     def _forget(self) -> None:
         if self._antenna.rotator.facts.zero_deg:
@@ -107,6 +183,8 @@ class ZeroMemory:
     def drop(self) -> None:
         """The machine has restarted: its zeros are elsewhere."""
         self._left = None
+        self._believe()
+        self._way.forget()
         self._forget()
         self._keep(None)
 
@@ -118,9 +196,13 @@ class ZeroMemory:
     def _hear(self, _event: Event) -> None:
         """Keep how it stands, whenever it is seen at rest."""
         state, zero_deg = self._store.state, self._antenna.rotator.facts.zero_deg
-        resting = state.activity is Activity.IDLE and state.motion is None and state.position_lost is None
-        if resting and state.position is not None and zero_deg:
-            counted = counted_at(state.position, self._antenna.rotator.facts)
+        resting = state.activity is Activity.IDLE and state.motion is None
+        if state.position is None or state.position_lost is not None or not zero_deg:
+            return
+        counted = counted_at(state.position, self._antenna.rotator.facts)
+        self._way.see(counted, state.position.at, rests=resting)
+        self._look_ahead(taken=True)
+        if resting:
             self._keep(ZeroAsLeft(zero_deg, counted, self._made, self._store.clock.utc()))
 
     def _keep(self, left: ZeroAsLeft | None) -> None:
