@@ -365,10 +365,8 @@ def test_zero_counts_from_here_moves_nothing_and_has_to_be_told_anew():
         assert stage.twin.device.dish.az.ticks(stage.twin.device.machine.dish_s) == 0
         assert stage.state.position_lost == "unsynced"
         fault = stage.state.fault
-        assert (fault.meaning[:29], fault.remedy[-26:]) == (
-            "It was synced a moment ago. I",
-            "Acknowledge, then sync it.",
-        )
+        assert "It was synced a moment ago." in fault.meaning
+        assert fault.remedy.endswith("Acknowledge, then sync it.")
         stage.refused(Goto(100.0, 30.0, "you"), BirdcageError)
 
 

@@ -1,4 +1,4 @@
-"""The app on a real station and a simulated SatNOGS rotator: told where it points, driven, its motors shown, STOP."""
+"""The app on a real station and a simulated SatNOGS rotator: synced, driven, its motors shown, STOP."""
 
 from __future__ import annotations
 
@@ -114,6 +114,7 @@ async def on_the_motor(house):
         await house.pilot.press("down")
         await house.step(0.1)
     assert "birdcage set" not in house.text(), "it refuses what runs only while it is held"
+    assert "duty.azimuth 0.1`" in house.text(), "that of birdcage motors run"
     await house.pilot.press("plus")
     await house.step(0.1)
     assert "allow the keys" in house.text()

@@ -41,14 +41,14 @@ MOVERS: tuple[Row, ...] = (
     ("You", "text", "arrows, g, presets, when control is free or the tracker's."),
     ("Tracker", "text", "f, autotrack on Track, while control is free or its own."),
     ("Console", "text", "raw lines (page 5), without limits. It asks first."),
-    ("Other programs", "text", "kept out of the port, but for root and who had it before."),
+    ("Other programs", "text", "kept out, except root and any that had the port open."),
 )
 SHELL: tuple[Row, ...] = (
     ("birdcage stop", "text", "stops it, whatever program drives it. It is HELD then."),
     ("birdcage hold", "text", "the same, before you work on the dish."),
     ("birdcage release", "text", "releases it, and names who waits to move it."),
 )
-NOT_DEMO = "They do not reach a demo."
+NOT_DEMO = "These commands don't reach a demo."
 OFF = "off. o serves Gpredict, SatNOGS, SatDump and others."
 
 

@@ -42,9 +42,10 @@ def detail_lines(feature: Feature, view: View, width: int) -> list[Line]:
     say("dim", feature.note)
     say("warn", f"▲ {hazard}" if (hazard := feature.hazard or feature.read_hazard) else "")
     asked = f"Command: {feature.asked}. " if feature.asked else ""
-    may_set = feature.is_writable and feature.held is None  # `birdcage set` refuses a motor that a held key runs
-    command = "get" if feature.is_readable else "set" if may_set else ""
-    say("dim", f"{asked}In a shell: `birdcage {command} {feature.id}`." if command else asked.rstrip())
+    command = f"{'get' if feature.is_readable else 'set'} {feature.id}"
+    if feature.held is not None:  # which `birdcage set` refuses
+        command = f"motors run {feature.id} {told.value.split()[0]}"
+    say("dim", f"{asked}In a shell: `birdcage {command}`." if feature.is_readable or feature.is_writable else "")
     printed = lines_of(feature, sheet_readings(view))
     if len(printed) > 1:
         lines += [("", ""), *(("text", line) for line in printed)]

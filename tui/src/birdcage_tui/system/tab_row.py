@@ -16,7 +16,7 @@ class SystemTabs(TabRow):
         super().__init__(TABS, "system-")
 
     def words(self, view: View) -> tuple[str, ...]:
-        """Return it; else that only the tab that is seen asks the dish."""
+        """Return it; else that only the tab that is seen is read."""
         task = next((each for each in view.state.tasks if each.done is not None and each.holder == YOU), None)
         if task is not None:
             return (f"{task.kind}, {task.done} of {task.of}",)
@@ -25,4 +25,4 @@ class SystemTabs(TabRow):
         if waits := waits_for(view.state):
             moves = view.link_up and in_motion(view.state)
             return (waits, "Not read while moving") if moves else (waits,)
-        return (f"reading, {len(view.sheet.asked)} to go" if view.sheet.asked else "hidden tabs ask nothing",)
+        return (f"reading, {len(view.sheet.asked)} to go" if view.sheet.asked else "only this tab is read",)
