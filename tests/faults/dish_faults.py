@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.g2.sleep import TIMER
 
-from .fault import ANY, CONSOLES, FAR, MOVING, REST, Expect, Fault, nothing, skew
+from .fault import ANY, CONSOLES, FAR, MOVING, REST, Expect, Fault, nothing, skew, timed
 from .stage import Stage
 
 
@@ -90,7 +90,10 @@ RESTARTED = {
 }  # fmt: skip
 
 DISH_FAULTS = (
-    Fault("stall az", "Azimuth is blocked", blocks(0), frees(0), expect=STALLED, lasts_s=LONG),
+    Fault(
+        "stall az", "Azimuth is blocked", blocks(0), frees(0), lasts_s=LONG,
+        expect={**STALLED, **timed("x1 in mid-move", "x2 in mid-move", fault="stall", held="fault", motion="stall")},
+    ),
     Fault("stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s=LONG),
     Fault(
         "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew,
@@ -110,6 +113,7 @@ DISH_FAULTS = (
             "hal205 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
             "hal000 in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
             "pro in mid-move": Expect(motion="bad_parameter", stop="nothing|after a look"),
+            **timed("x1 in mid-move", motion="bad_parameter"),
         },
     ),
     Fault(
@@ -130,7 +134,11 @@ DISH_FAULTS = (
         dialects=("g2",), options={"g2": "&sleep=silent"}, own_motion=True,
         expect={REST: Expect("silent", fault="reboot", held="link")},
     ),
-    Fault("reboot", "The dish restarts", reboot, expect=RESTARTED, own_motion=True, lasts_s=BOOT),
+    Fault("reboot", "The dish restarts", reboot, own_motion=True, lasts_s=BOOT,
+        expect={
+            **RESTARTED, **timed("x1 at rest", link="silent", fault="reboot", held="link"),
+            **timed("x1 in mid-move", "x2 in mid-move", fault="reboot", held="fault", motion="fault"),
+        }),
     Fault("brown-out", "A brown-out: it restarts, homing forgotten", brown_out, expect=RESTARTED, lasts_s=LONG),
     Fault(
         "quiet brown-out", "A brown-out without a word", quiet_brown_out, lasts_s=LONG, dialects=CONSOLES,
@@ -139,6 +147,9 @@ DISH_FAULTS = (
             MOVING: Expect("silent|-", fault="unhomed", held="link|fault", motion="link|fault|stopped"),
             "pro at rest": Expect("silent|-", fault="reboot", held="link|fault"),
             "pro in mid-move": Expect("silent|-", fault="reboot", held="link|fault", motion="fault|link|stopped"),
+            **timed("x1 at rest", fault="reboot", held="fault"),
+            **timed("x1 in mid-move", fault="reboot", held="fault", motion="fault"),
+            **timed("x2 in mid-move", link="silent", fault="reboot", held="link", motion="link"),
         },
     ),
     Fault(
@@ -149,11 +160,15 @@ DISH_FAULTS = (
             # No line of its boot log is known.
             "g2plus at rest": Expect("silent", fault="unhomed", held="link"),
             "g2plus in mid-move": Expect("silent", fault="unhomed", held="link", motion="link"),
+            **timed("x1 in mid-move", "x2 in mid-move", link="silent", fault="reboot", held="link", motion="link"),
         },
     ),
     Fault(
         "wander", "It moves unasked", wander, own_motion=True,
-        expect={REST: Expect(fault="moved", held="fault", stop="after a look")},
+        expect={
+            REST: Expect(fault="moved", held="fault", stop="after a look"),
+            **timed("x1 at rest", "x2 at rest", misled=True),  # nothing tells
+        },
     ),
 )  # fmt: skip
 """Every way in which the dish itself misbehaves."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from birdcage.station.requests import Goto, TurnSkew
 
@@ -12,14 +12,17 @@ if TYPE_CHECKING:
     from .stage import Stage
 
 DIALECTS = ("g2", "g2plus", "hal205", "hal000", "pro", "easycomm")
-CONSOLES = tuple(each for each in DIALECTS if each != "easycomm")
+"""Those that tell where they point."""
+TIMED = ("pathway-x1", "pathway-x2")
+"""Those that do not: where they point is modelled, and marked so (docs/decisions/0043)."""
+CONSOLES = (*(each for each in DIALECTS if each != "easycomm"), *TIMED)
 """Those with prompts, menus and an echo."""
 REST, MOVING = "at rest", "in mid-move"
 ANY = "at once|after a look|nothing"
 """Where nothing is known to move, STOP may have nothing to send, and looks."""
 
-START = dict.fromkeys(DIALECTS, (90.0, 25.0))
-FAR = dict.fromkeys(DIALECTS, (230.0, 55.0))
+START = dict.fromkeys((*DIALECTS, *TIMED), (90.0, 25.0))
+FAR = dict.fromkeys((*DIALECTS, *TIMED), (230.0, 55.0))
 """Where the move that the fault meets begins, and where it goes: both axes, for ten seconds and more."""
 
 
@@ -54,6 +57,13 @@ class Expect:
     """What became of the motion that was under way: `arrives`, or the reason of its error."""
     stop: str = ""
     """`at once`, `after a look`, `nothing`: when STOP's bytes leave. Empty: at once in a motion with a port."""
+    misled: bool = False
+    """Whether a modelled position stands that is wrong, as nothing tells."""
+
+
+def timed(*where: str, **fields: Any) -> dict[str, Expect]:
+    """Return what is particular to it on dishes that do not tell: `x1 at rest`, and so on."""
+    return {f"pathway-{each}": Expect(**fields) for each in where}
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +96,10 @@ class Fault:
     """Whether the dish goes where it was not sent, as the command that reaches it is another."""
     port: bool = True
     """Whether there is a port while it lasts, for STOP's bytes to leave by."""
+
+    def meets(self, dialect: str, when: str) -> bool:
+        """Return whether it is inflicted on a dialect then: on one that does not tell, where `expect` names that."""
+        return f"{dialect} {when}" in self.expect if dialect in TIMED else dialect in self.dialects
 
     @property
     def moments(self) -> tuple[str, ...]:

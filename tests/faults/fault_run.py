@@ -5,11 +5,12 @@ from __future__ import annotations
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 
-from birdcage.base.errors import BirdcageError
+from birdcage.base.errors import BirdcageError, NoReply, Stopped
 from birdcage.base.geometry import shortest_turn
+from birdcage.base.reason import Reason
 from birdcage.rotator.facts import SearchSwitch
 from birdcage.station.requests import AcknowledgeFault, Goto, Home, Release, SetSearch
-from birdcage.station.state import Activity, LinkPhase
+from birdcage.station.state import Activity, FaultReason, LinkPhase
 
 from .fault import FAR, MOVING, START, Fault
 from .outcome import Outcome, Stopping, readable
@@ -49,6 +50,7 @@ class FaultRun:
         back_s = self._come_back(stage)
         unasked = self._unasked(stage, struck, future)
         motion = self._fate(stage, future)
+        misled = bool(stage.recorder.misled)
         deeds, good = self._go_on(stage)
         false = list(stage.recorder.false)
         stopping, false_there = self._stopped()
@@ -57,7 +59,7 @@ class FaultRun:
             alarms=tuple(self.faults), held=next(iter(self.held), None), motion=motion, position_hidden=self.hidden,
             came_back_s=back_s,
             deeds=deeds, next_good=good, false=(*false, *(f"STOP: {each}" for each in false_there)), unasked=unasked,
-            stop=stopping,
+            misled=misled, stop=stopping,
         )  # fmt: skip
 
     def _begin(self) -> tuple[Stage, Future | None]:
@@ -76,9 +78,10 @@ class FaultRun:
                 self.fault.inflict(stage)
             future = stage.station.submit(self.fault.motion(stage))
             future.add_done_callback(lambda _future: setattr(self, "ended", stage.now))
-            stage.step(self.fault.strikes_s)
             if self.fault.before:
+                self._suffer(stage, self.fault.strikes_s)
                 return stage, future
+            stage.step(self.fault.strikes_s)
             assert stage.truth.moving, "it strikes in mid-move"
         self.fault.inflict(stage)
         return stage, future
@@ -123,7 +126,8 @@ class FaultRun:
             self._watch(stage)
             state = stage.state
             read = state.position is not None and state.position_lost is None
-            known = read or (state.homed is False and not homed)
+            untold = not stage.tells and state.position_lost is Reason.UNTOLD
+            known = read or untold or (state.homed is False and not homed)
             quiet = state.activity in (Activity.IDLE, Activity.MOVING_UNASKED)
             return state.link.state is LinkPhase.UP and quiet and known and state.surveyed
 
@@ -154,7 +158,7 @@ class FaultRun:
     def _fate(self, stage: Stage, future) -> str:
         if future is None:
             return "-"
-        stage.until(future.done, 60.0)
+        stage.until(future.done, 120.0)
         if not future.done():
             return "never ended"
         error = future.exception(0)
@@ -169,8 +173,9 @@ class FaultRun:
         if stage.must_be_synced:
             stage.sync()
             deeds.append("sync")
-        if stage.state.homed is False:
-            homed = stage.do(Home("you"), 90.0)
+        # One that does not tell does not say that it is homed: the fault asks for it.
+        if stage.state.homed is False or (not stage.tells and FaultReason.REBOOT in self.faults):
+            homed = stage.do(Home("you"))
             deeds.append("home")
             if isinstance(homed, BirdcageError):
                 deeds[-1] = "power cycle"
@@ -179,7 +184,13 @@ class FaultRun:
                 self._come_back(stage, homed=True)
                 self._make_ready(stage, deeds)
         az, el = 150.0, 40.0
-        arrived = stage.do(Goto(az, el, "you"), 90.0)
+        arrived = stage.do(Goto(az, el, "you"))
+        if isinstance(arrived, NoReply | Stopped):  # what the fault has left on the line may have cost the answer
+            deeds += [] if stage.tells else ["wait"]
+            stage.until(lambda: stage.is_up and not stage.may_move, BACK_S)
+            self._make_ready(stage, deeds)
+            deeds.append("ask again")
+            arrived = stage.do(Goto(az, el, "you"))
         if isinstance(arrived, Exception):
             return tuple(deeds), f"{type(arrived).__name__}: {arrived}"
         stage.step(3.0)

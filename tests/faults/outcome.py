@@ -52,4 +52,6 @@ class Outcome:
     """What was told and was not so: nothing may be."""
     unasked: tuple[str, ...]
     """Lines that moved the dish, and places where it went, unasked."""
+    misled: bool
+    """Whether a modelled position stood there that was wrong, while the fault lasted or right after it."""
     stop: Stopping

@@ -28,6 +28,8 @@ class Recorder:
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.false: list[str] = []
+        self.misled: list[str] = []
+        """What was modelled, and marked so, and is not so: of a dish that does not tell."""
         self._seen: deque[tuple[float, DishTruth]] = deque()
         self._asked_at = 0.0
         self.said: set[float] = set()
@@ -50,7 +52,7 @@ class Recorder:
     def asked(self, data: bytes) -> None:
         """A line goes out: what is told from now on may be as old as this, and no older."""
         self.look()
-        if data.strip() in (b"a", b"EL", b"AZ EL"):
+        if data.strip() in ((b"a", b"EL", b"AZ EL") if self.stage.tells else (b"",)):
             self._asked_at = self.stage.now
 
     def look(self) -> None:
@@ -91,6 +93,11 @@ class Recorder:
                 self._note("STOP confirmed, and the dish moves")
 
     def _compare(self, position) -> None:
+        if not self.stage.tells:
+            if not position.modelled:
+                self._note("a modelled position told as read")
+            if self.stage.state.motion is not None:
+                return  # how fast it is, and when it begins, is not known
         span = [truth for at, truth in self._seen if at >= self._asked_at - 1e-6]
         here = span[-1]
         turns = [shortest_turn(here.az_deg, truth.az_deg) for truth in span]
@@ -100,12 +107,13 @@ class Recorder:
         }
         if position.skew_deg is not None and here.skew_deg is not None:
             off["skew"] = _outside(position.skew_deg, [truth.skew_deg for truth in span])
+        note = self._note if self.stage.tells else self.misled.append
         if not any(truth.homed for truth in span):
-            self._note("a position told, and the dish does not know it")
+            note("a position told, and the dish does not know it")
         for axis, by_deg in off.items():
             if by_deg > (NEAR_DEG if self.stage.has_menus else LOOP_DEG):
                 kind = "modelled" if position.modelled else "read"
-                self._note(f"{axis} {kind} {by_deg:.2f}° off")
+                note(f"{axis} {kind} {by_deg:.2f}° off")
 
     def _note(self, what: str) -> None:
         self.false.append(f"{self.stage.now:.2f} {what}")

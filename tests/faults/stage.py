@@ -18,7 +18,7 @@ from birdcage.station.settings import StationSettings
 from birdcage.station.state import LinkPhase as LinkNow
 from birdcage.station.station import Station
 
-from .fault import CONSOLES
+from .fault import CONSOLES, TIMED
 from .recorder import Recorder
 
 PORT = "/dev/ttyUSB0"
@@ -32,6 +32,8 @@ ADDRESSES = {
     "hal205": "hal205?seed=1&boot_home_s=20&search_finds=0",
     "hal000": "hal000?seed=1&boot_home_s=20&search_finds=0",
     "pro": "pro?seed=1&boot_home_s=20&search_finds=0&odu_gap_s=0.9&motor_gap_s=0.15",
+    "pathway-x1": "pathway-x1?seed=1&az=-180&az_speed=10&el_speed=3",
+    "pathway-x2": "pathway-x2?seed=1&az=-180&az_speed=10&el_speed=3&lag_min_s=1&lag_max_s=1",
     "easycomm": "easycomm?seed=1&az=90&el=25&el_homes=0",
 }
 """The dialects of the matrix, and a dish of each whose slews are long enough for something to happen in them."""
@@ -143,6 +145,16 @@ class Stage:
         return self.dialect in CONSOLES
 
     @property
+    def tells(self) -> bool:
+        """Whether it tells where it points."""
+        return self.dialect not in TIMED
+
+    @property
+    def may_move(self) -> bool:
+        """Whether one that does not tell may still be on its way."""
+        return self.station._antenna.reckoning.moves_until > self.now
+
+    @property
     def motor_menu(self) -> str:
         """Where the dish takes moves."""
         return self.station._antenna.rotator.protocol.motor_menu
@@ -202,7 +214,7 @@ class Stage:
             told = self.do(Sync(self.truth.az_deg, None, "you", agreed=True))
             assert not isinstance(told, Exception), told
 
-    def do(self, request, seconds: float = 60.0):
+    def do(self, request, seconds: float = 120.0):
         """Ask for something and wait for it; return what came of it, an error included."""
         future = self.station.submit(request)
         if not self.until(future.done, seconds):

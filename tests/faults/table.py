@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 
-from .fault import Fault
+from .fault import TIMED, Fault
 from .matrix import CELLS, outcome
 from .outcome import Outcome
 from .verdict import worst_link
 
 UNREADABLE = "“an answer cannot be read”"
 SHORT = (
+    (r"The dish did not answer", "“The dish did not answer the command”"),
     (r"The (?:dish|machine) is silent", "“The dish is silent”"),
     (r"The dish answered .* and did not move", "“The dish did not move”"),
     (r"What arrives on|The (?:dish|machine) talks on|The rotator t(?:ells|old)", UNREADABLE),
@@ -40,6 +41,10 @@ dish, at rest and in mid-move, and this is what came of it: `scripts/fault_table
 it to what the program does. In every row nothing false was shown, nothing moved unasked, and after
 STOP no line that moves the dish left the port for a minute, however often a client asked.
 
+A Pathway X1 or X2 does not tell where it points: a position without a fault is modelled, and marked so. What such a
+dish does not say is not seen: where it moves unasked, its *modelled position is wrong*. No STOP is known for either.
+Each has the rows in which it differs; faults of its readings have none, as it has no readings.
+
 *Holds*: nothing moves the dish until you release it. *Confirmed*: the dish was seen at rest after STOP.
 
 What happened in the last weeks, what it means and what to do: `birdcage health` ([Commands](commands.md#at-the-dish)).
@@ -62,17 +67,23 @@ def sees(seen: Outcome) -> str:
     words = [each for each in dict.fromkeys(map(short, seen.sees)) if each]
     if seen.position_hidden:
         words.append("no position")
+    if seen.misled:
+        words.append("a modelled position that is wrong")
     return "; ".join(words) or "Nothing: the next answer comes"
 
 
-def does(seen: Outcome) -> str:
+def does(seen: Outcome, *, tells: bool) -> str:
     """Return what the station does."""
     words = [{"lost": "Looks for the port", "silent": "Asks again"}.get(worst_link(seen), "")]
     if seen.motion != "-":
         words.append("the move arrives" if seen.motion == "arrives" else "the move is given up")
     words += ["holds"] if seen.held else []
-    by_means = {"no link": "STOP finds no port", "end of move": "STOP waits for the end of the move"}
-    stop = by_means.get(seen.stop.means, STOPS[seen.stop.sends])
+    by_means = {
+        "no link": "STOP finds no port", "end of move": "STOP waits for the end of the move",
+        "none": "no STOP is known that ends it",
+    }  # fmt: skip
+    usual = STOPS[seen.stop.sends] if tells else "STOP sends nothing"
+    stop = by_means.get(seen.stop.means, usual)
     words.append(f"{stop}, {PROVED[seen.stop.confirmed]}")
     text = "; ".join(each for each in words if each)
     return text[0].upper() + text[1:]
@@ -92,7 +103,7 @@ def key(fault: Fault, dialect: str, when: str) -> str:
 
 def row(fault: Fault, dialect: str, when: str, seen: Outcome) -> str:
     """Return the row of a cell."""
-    return f"{key(fault, dialect, when)}{sees(seen)} | {does(seen)} | {afterwards(seen)} |"
+    return f"{key(fault, dialect, when)}{sees(seen)} | {does(seen, tells=dialect not in TIMED)} | {afterwards(seen)} |"
 
 
 def page() -> str:

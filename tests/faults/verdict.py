@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .fault import ANY, MOVING, Fault
+from .fault import ANY, MOVING, TIMED, Fault
 from .outcome import Outcome
 
 WORST = ("lost", "silent")
@@ -36,17 +36,19 @@ def _common(fault: Fault, seen: Outcome) -> list[str]:
         wrong.append("STOP did not hold")
     if not (seen.stop.rests or fault.own_motion):
         wrong.append("the dish moves a minute after STOP")
-    if seen.fault is None and seen.links == () and seen.position_hidden:
+    if seen.fault is None and seen.links == () and seen.position_hidden and seen.sees == ():
         wrong.append("the position was given up, and nothing says why")
     return wrong
 
 
 def _particular(fault: Fault, dialect: str, when: str, seen: Outcome) -> list[str]:
     expect = fault.expected(dialect, when)
-    stop = expect.stop or ("at once" if when == MOVING and fault.port else ANY)
+    default = "nothing" if dialect in TIMED else "at once" if when == MOVING and fault.port else ANY
+    stop = expect.stop or default
     observed = {
         "link": (worst_link(seen), expect.link), "fault": (seen.fault or "-", expect.fault),
         "held": (seen.held or "-", expect.held), "motion": (seen.motion, expect.motion),
+        "a modelled position that is wrong": (str(seen.misled), str(expect.misled)),
         "STOP's bytes": (seen.stop.sends, stop),
     }  # fmt: skip
     return [

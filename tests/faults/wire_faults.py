@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from birdcage.sim.wire import Byte
 
-from .fault import CONSOLES, DIALECTS, MOVING, REST, Expect, Fault
+from .fault import CONSOLES, MOVING, REST, Expect, Fault, timed
 from .stage import OTHER_PORT, PORT, TARGET, Stage
 
 RARELY = 0.01
@@ -71,7 +71,7 @@ def lose_digit_of_command(stage: Stage) -> None:
 
     def lose(value: int) -> Byte:
         sent.append(value)
-        words = bytes(sent).rpartition(b"\r")[2].split(b" ")
+        words = bytes(sent).rpartition(b"\r")[2].lstrip().split(b" ")
         angle = (
             len(words) > 1 and words[0] in (b"a", b"g") and words[-1] and len(words) == (3 if words[0] == b"a" else 2)
         )
@@ -132,15 +132,21 @@ GONE = {
     "easycomm in mid-move": Expect("lost", fault="unhomed", held="link", motion="link"),
 }  # fmt: skip
 
-NOISY = tuple(each for each in DIALECTS if each != "g2plus")
-
 WIRE_FAULTS = (
     Fault(
         "silence", "Silence: no byte gets through", both(silent=True), both(silent=False),
-        expect={**SILENT, **{f"{each} in mid-move": Expect(motion="arrives") for each in ("hal205", "hal000", "pro")}},
+        expect={
+            **SILENT,
+            **{f"{each} in mid-move": Expect(motion="arrives") for each in ("hal205", "hal000", "pro")},
+            **timed("x1 at rest", "x2 at rest", link="silent", held="link"),
+            **timed("x1 in mid-move", "x2 in mid-move", link="silent", held="link", motion="link"),
+        },
     ),
-    # Of g2plus not: a crackle that stands right before the echo of a line costs its answer, and there it always does.
-    Fault("noise", "Garbage between answers", noise, again=noise, expect=PATCHY, dialects=NOISY),
+    # A crackle that stands right before the echo of a line costs its answer, also that of the first line afterwards.
+    Fault(
+        "noise", "Garbage between answers", noise, again=noise,
+        expect={**PATCHY, **timed("x1 at rest"), **timed("x1 in mid-move", motion="arrives")},
+    ),
     Fault("garbled", "Garbage inside every answer", noise_in_numbers, no_plan, expect=SILENT),
     Fault("dropped", "One byte in 100 is lost, each way", both(drop=RARELY), both(drop=0.0), expect=PATCHY),
     Fault("doubled", "One byte in 100 comes twice, each way", both(double=RARELY), both(double=0.0), expect=PATCHY),
@@ -154,6 +160,7 @@ WIRE_FAULTS = (
         expect={
             MOVING: Expect("silent", held="link", motion="link|blocked|garbage"),
             "easycomm in mid-move": Expect(fault="stall", held="fault", motion="stall"),
+            **timed("x1 in mid-move", "x2 in mid-move", link="silent", held="link", motion="link"),
         },
         astray=True,
     ),
@@ -168,10 +175,15 @@ WIRE_FAULTS = (
         "too late", "Answers come 3 s late", answers(delay_min_s=3.0, delay_max_s=3.0),
         answers(delay_min_s=0.0, delay_max_s=0.0), expect=SILENT,
     ),
-    Fault("no echo", "The echo is missing", no_echo, echo, expect=SILENT, dialects=CONSOLES),
+    Fault("no echo", "The echo is missing", no_echo, echo, dialects=CONSOLES,
+        expect={**SILENT, **timed("x1 at rest", link="silent", held="link")}),
     Fault("unsolicited", "Lines without a question", chatter, again=chatter, expect=UNNOTICED),
     Fault("closed", "The system closes the port, which is there", close, expect=GONE, port=False),
-    Fault("unplugged", "The adapter is unplugged and comes back", unplug, plug, expect=GONE, port=False),
+    Fault("unplugged", "The adapter is unplugged and comes back", unplug, plug, port=False,
+        expect={
+            **GONE, **timed("x1 at rest", link="lost", held="link"),
+            **timed("x1 in mid-move", "x2 in mid-move", link="lost", held="link", motion="link"),
+        }),
     Fault(
         "elsewhere", "The adapter comes back under another name", unplug, plug_elsewhere, expect=GONE, port=False
     ),

@@ -120,6 +120,50 @@ def test_the_search_is_switched_off_and_on_again_by_row_20():
     assert bench.lines()[-3:] == ["e 20 0", "s", "d 20"]
 
 
+def test_back_at_its_root_unsent_it_has_restarted():
+    bench, told = g2plus("&bare_a=error&boot_s=0"), []
+    bench.dish.on_restart = told.append
+    bench.dish.meet()
+    bench.dish.enter_motor_menu()
+    typed = MenuRaw(bench.dish).type_line("q", "mot", takes_s=1.0, confirmed=Grade.HARMLESS, permit=lambda: None)
+    assert typed.wait(3.0) is not None
+    bench.dish.meet()
+    assert bench.device.truth().menu == "root"
+    assert told == [], "somebody has left the menu"
+    bench.dish.enter_motor_menu()
+    bench.device.brown_out(quiet=True)
+    bench.dish.meet()
+    assert told == ["The dish is back in menu `root`, and nothing was sent that leads there."]
+    asked = bench.lines().count("a")
+    bench.dish.meet()
+    assert len(told) == 1
+    assert bench.lines().count("a") == asked, "it was asked once more whether it tells, by the look that showed it"
+
+
+def test_one_that_tells_where_it_is_shows_a_restart_by_that():
+    bench, told = g2plus(), []
+    bench.dish.on_restart = told.append
+    bench.dish.meet()
+    bench.dish.enter_motor_menu()
+    bench.device.brown_out(quiet=True)
+    bench.dish.meet()
+    assert told == []
+    with pytest.raises(PositionUnknown):
+        bench.dish.get_position()
+
+
+def test_a_stall_told_while_the_second_axis_waits_is_that_stall():
+    bench = Bench(PathwayX2Protocol(), "pathway-x2?seed=1&lag_min_s=5&lag_max_s=5&az_speed=10")
+    bench.dish.meet()
+    bench.dish.begin_slew(120.0, 40.0, None)
+    bench.clock.advance(7.0)
+    bench.device.stall(0)
+    with pytest.raises(CommandRefused, match="AZ MOTOR STALLED") as refused:
+        bench.over(60.0)
+    assert refused.value.trouble is not None
+    assert refused.value.trouble.axis == "azimuth"
+
+
 def test_both_axes_are_sent_in_a_row_and_the_answers_are_awaited():
     bench = g2plus("&bare_a=error")
     bench.dish.meet()

@@ -31,7 +31,23 @@ def test_a_goto_arrives_by_its_time_and_is_called_modelled(bench):
     assert not truth.moving
     assert (truth.az_deg, truth.el_deg) == pytest.approx((180.0, 45.0), abs=0.1)
     assert bench.state.homed is None
-    assert bench.lines()[-1] == "g 180.00 45.00"
+    assert moves(bench)[-1] == "g 180.00 45.00"
+
+
+def moves(bench, since=0):
+    """What it was sent beside its menus and the question that it must answer before a move counts as over."""
+    return [line for line in bench.lines()[since:] if line not in ("target", "?")]
+
+
+def test_what_falls_silent_on_its_way_has_not_arrived(bench):
+    bench.do(Goto(180, 45, "you"), 200)
+    future = bench.station.submit(Goto(250, 60, "you"))
+    bench.step(2)
+    for lane in bench.device.wire.lanes:
+        lane.silent = True
+    with pytest.raises(Stopped, match="link"):
+        bench.step(120) or future.result(0)
+    assert bench.state.position_lost is not None
 
 
 def test_its_owner_may_say_how_fast_it_is_and_that_is_what_its_moves_are_timed_by():
@@ -60,7 +76,7 @@ def test_on_the_first_way_nobody_knows_where_it_is(bench):
 def test_a_jog_names_both_axes_as_this_dish_wants(bench):
     bench.do(Goto(180, 45, "you"), 200)
     bench.do(Jog(5.0, 0.0, "you"), 60)
-    assert bench.lines()[-1] == "g 185.00 45.00"
+    assert moves(bench)[-1] == "g 185.00 45.00"
     assert bench.device.truth().az_deg == pytest.approx(185.0, abs=0.1)
 
 
@@ -101,7 +117,7 @@ def test_a_newer_target_waits_and_nothing_is_sent_to_end_the_one_before(bench):
     bench.step(0.5)
     sent = len(bench.lines())
     bench.do(Goto(200, 50, "you"), 300)
-    assert [line for line in bench.lines()[sent:] if line != "target"] == ["g 200.00 50.00"]
+    assert moves(bench, sent) == ["g 200.00 50.00"]
     assert (bench.state.position.az_deg, bench.device.truth().az_deg) == pytest.approx((200.0, 200.0), abs=0.1)
 
 

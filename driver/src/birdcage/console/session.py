@@ -85,9 +85,12 @@ class Console:
         """Have it told, once a line, that the dish is still busy with what came before it."""
         self._exchanges.on_busy = on_busy
 
-    def hear_ends(self, on_end: Callable[[str], None]) -> None:
-        """Have it told, each time, that the dish is at its root, or in a menu that nothing is known to leave."""
-        self._menus.on_end = on_end
+    def hear_ends(self, on_end: Callable[[str], None], on_back: Callable[[str], None]) -> None:
+        """Have it told, each time, that the dish is at its root, or in a menu that nothing is known to leave.
+
+        `on_back`: where nothing was sent that leads there.
+        """
+        self._menus.on_end, self._wire.on_back = on_end, on_back
 
     def refusal(self, reply: Reply) -> CommandRefused | None:
         """Return what the firmware's error in `reply` means, or None when it holds none."""

@@ -68,6 +68,11 @@ class Wire:
         self.doubt_until: float | None = clock.monotonic() + 2 * delay_s
         """Until when something unaccounted for may still be under way, either way; None when nothing is."""
         self._hazard_doubt: float | None = None
+        self._inside = False
+        """Whether a prompt named a menu below the root, and nothing went out since that could leave it."""
+        self._back: str | None = None
+        self.on_back: Callable[[str], None] = lambda _menu: None
+        """Told of a prompt of the root, or of a menu that nothing leaves, where nothing was sent that leads there."""
         self._beginning = None if keeps_order(link.name) else self.doubt_until
         """The doubt of a new session, where bytes of an earlier one may come after ours; else None."""
         self._mark: int | None = None
@@ -125,6 +130,7 @@ class Wire:
             if self.dialect.leaving.search(line):
                 self.doubt(now + takes_s + 2 * self.delay_s)
                 self._hazard_doubt = self.doubt_until
+                self._inside = False
             return self._write([line], now, takes_s)[0]
 
     def send_mark(self) -> int:
@@ -292,10 +298,15 @@ class Wire:
                 on_line(event.text)
             elif isinstance(event, Reply | StrayPrompt) and self._on_prompt is not None:
                 self._on_prompt()
+        if (back := self._back) is not None:
+            self._back = None
+            self.on_back(back)
 
     def _note(self, events: Sequence[Event]) -> None:
         now = self.clock.monotonic()
         for event in events:
+            if isinstance(event, Reply | StrayPrompt) and not self.dialect.learnt:
+                self._stands(event.menu, now)
             match event:
                 case Reply():
                     sent = self._sent_at.pop(event.ticket, now)
@@ -326,6 +337,14 @@ class Wire:
                 case ReplyLine():
                     pass
             self.last_reply = now
+
+    def _stands(self, menu: str, now: float) -> None:
+        """Take in the menu of a prompt: none is a late answer from before it, as a wire keeps the order."""
+        ends = menu in self.dialect.ends
+        if self._inside and ends:
+            self._back = menu
+        # What an earlier session has sent may still reach the dish.
+        self._inside = not ends and (self._beginning is None or now >= self._beginning)
 
     def _placed(self, reply: Reply) -> Reply:
         """Take in the menu that a prompt names; a learnt one names none, and only says whether it is still the same."""

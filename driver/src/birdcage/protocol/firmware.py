@@ -135,7 +135,7 @@ class FirmwareProtocol(ABC):
         self._link = link
         self._console = Console(link, clock, self.dialect, **hooks)
         self._console.hear_busy(self.on_busy)
-        self._console.hear_ends(self._is_at_end)
+        self._console.hear_ends(self._is_at_end, self._is_back)
 
     def _is_at_end(self, menu: str) -> None:
         """Take in where the dish stands: back at its root from a menu that nothing leaves, it has restarted."""
@@ -143,6 +143,9 @@ class FirmwareProtocol(ABC):
         if self._was_inside and not inside:
             self.on_restart(f"The dish is back in menu `{menu}`: only a restart is known to lead there.")
         self._was_inside = inside
+
+    def _is_back(self, menu: str) -> None:  # noqa: B027 - most show in other ways that they have restarted
+        """Take in that it is back at its root, and that nothing was sent that leads there."""
 
     def disconnect(self, *, within_s: float = 2.0) -> None:
         """Go back to the root menu where that is safe within a time (0: send nothing), and close the port.

@@ -178,11 +178,18 @@ class QueuedMover(Mover):
             return
         now = clock.monotonic()
         if job.still_since is not None and now - job.still_since >= max(STILL_S / clock.rate, 2 * POLL_S):
-            self._leg_over(job)
+            self._end_silent_leg(job)
         elif self._is_astray(motion, now):
             self._astray()
         else:
             self._tell_progress(job, pointing, self._eta(job) - now)
+
+    def _end_silent_leg(self, job: Job) -> None:
+        """Take a silent slew for over; of a dish that does not tell, only while it answers and shows no restart."""
+        if not self._antenna.strategy.reads_position:
+            self._antenna.rotator.meet()
+        if self._job is job:
+            self._leg_over(job)
 
     def _is_astray(self, motion: DishMotion, now: float) -> bool:
         began = max(axis.started for axis in (motion.azimuth, motion.elevation, motion.skew) if axis is not None)

@@ -55,6 +55,12 @@ class TrkKin(TrkProtocol):
         self._tells = None if self.asks_where else False
         self._sent = ()
 
+    def _is_back(self, menu: str) -> None:
+        """Take in that it is at its root: one that tells where it is shows by itself what it has forgotten."""
+        if self._tells is not True:
+            self.may_have_homed()
+            self.on_restart(f"The dish is back in menu `{menu}`, and nothing was sent that leads there.")
+
     def meet(self) -> None:
         """Find out whether it answers and, once, whether it tells where it is (docs/reference/g2-kin.md, *Position*).
 
@@ -122,6 +128,7 @@ class TrkKin(TrkProtocol):
     def slew_is_over(self) -> bool:
         """Return whether both commands were answered. CommandRefused, once, when the dish refused both.
 
+        Also where one of both answers is that an axis is in trouble: the other may still be on its way.
         NoReply where one of both was refused or not answered, or named another angle: where it goes is not known then.
         """
         now = self.clock.monotonic()
@@ -130,8 +137,9 @@ class TrkKin(TrkProtocol):
         sent, self._sent = self._sent, ()
         replies = [(each, each.typed.reply) for each in sent]
         refusals = [refusal for _, reply in replies if reply and (refusal := self.console.refusal(reply))]
-        if refusals and len(refusals) == len(sent):
-            raise refusals[0]
+        troubles = [refusal for refusal in refusals if refusal.trouble is not None]
+        if troubles or (refusals and len(refusals) == len(sent)):
+            raise (troubles or refusals)[0]
         if refusals:
             raise NoReply(f"The dish took one axis of two. {refusals[0]}", reason=Reason.GARBAGE)
         for each, reply in replies:
