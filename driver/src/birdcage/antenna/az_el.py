@@ -41,7 +41,7 @@ class AzEl:
         self._told: Facts | None = None
         """Its facts once a person has told where its zeros point."""
         self.check_zero: Callable[[Mapping[str, float]], None] | None = None
-        """Hears where it counts its axes to stand, while it is in doubt whether what was told still holds.
+        """Hears where it counts its axes to stand, and judges whether what was told still holds.
 
         It raises PositionUnknown (`unsynced`) where that does not, and NoReply where another reading must tell.
         """

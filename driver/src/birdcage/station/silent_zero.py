@@ -30,7 +30,7 @@ class SilentZero:
     """Whether it counts the turns of its cable; else its azimuths lie on the circle."""
     silent_s: float
     boot_s: float
-    """How long a start takes at the longest: in less nobody switches it off, turns it by hand and switches it on."""
+    """How long a start takes at the longest: too short to switch it off, turn it by hand and switch it on."""
 
     def holds_at(self, counted: Mapping[str, float]) -> bool:
         """Return whether it had power, for all that is known, if it counts so now."""

@@ -26,7 +26,7 @@ from birdcage.rotator.readings import UnreadablePosition
 from birdcage.station.dish_reader import DishReader
 from birdcage.station.events import ActivityChanged, Event, PositionRead
 from birdcage.station.signals import Signals
-from birdcage.station.silent_zero import SAME_DEG, SilentZero, WayWatch
+from birdcage.station.silent_zero import BESIDE_DEG, SAME_DEG, SilentZero, WayWatch
 from birdcage.station.state import Activity, Pointing
 from birdcage.station.state_store import StateStore
 
@@ -107,41 +107,53 @@ class ZeroMemory:
         if since > self._unheard_since:
             self._note_silence(since)
         self._unheard_since = since
-        if rotator.check_zero is None and rotator.facts.zero_deg and self._way.seen:
+        if self._silent is None and rotator.facts.zero_deg and self._way.seen:
             self._look_ahead(taken=False)
             turns = rotator.facts.turn is CableTurn.REPORTED
             self._silent = SilentZero(rotator.facts.zero_deg, self._way.may_be_deg, turns, 0.0, rotator.facts.boot_s)
             self._contradicted = False
-            rotator.check_zero = self._check
 
     def _note_silence(self, now: float) -> None:
         if self._silent is not None and now - self._unheard_since > self._silent.silent_s:
             self._silent = replace(self._silent, silent_s=now - self._unheard_since)
 
     def _check(self, counted: Mapping[str, float]) -> None:
-        """See by the first reading after a silence whether the machine had power. See `AzEl.check_zero`."""
-        self._note_silence(self._store.clock.monotonic())
-        stop = self._store.state.last_stop
-        # Such a STOP may have brought one that has started to the very count where it was left.
-        aimed = stop is not None and stop.means is StopMeans.RETARGET and stop.at > self._way.seen_at
-        if self._silent is None or (not aimed and self._silent.holds_at(counted)):
+        """See by a reading whether the machine had power since the last one. See `AzEl.check_zero`."""
+        if self._had_power(counted):
             self._believe()
             return
         if not self._contradicted:
             self._contradicted = True  # a digit may be lost on the wire: two readings must agree
-            raise UnreadablePosition("After a silence the machine counts otherwise than before.", [str(dict(counted))])
+            raise UnreadablePosition("The machine counts otherwise than before.", [str(dict(counted))])
         self._believe()
         self._way.forget()
         self._forget()
         self._keep(None)  # nor does a later program believe it
         raise PositionUnknown(
-            "The position is unknown: the machine was silent, and may have lost its power. "
+            "The position is unknown: the machine may have lost its power. "
             f"{self._antenna.rotator.facts.must_be_synced}", reason=Reason.UNSYNCED,
         )  # fmt: skip
 
+    def _had_power(self, counted: Mapping[str, float]) -> bool:
+        state, seen = self._store.state, self._way.seen
+        if self._silent is not None:
+            self._note_silence(self._store.clock.monotonic())
+            stop = state.last_stop
+            # Such a STOP may have brought one that has started to the very count where it was left.
+            aimed = stop is not None and stop.means is StopMeans.RETARGET and stop.at > self._way.seen_at
+            return not aimed and self._silent.holds_at(counted)
+        if state.activity is not Activity.IDLE or state.motion is not None or self._antenna.motion is not None:
+            return True
+        return not seen or not self._has_jumped_to_start(seen, counted)
+
+    def _has_jumped_to_start(self, seen: Mapping[str, float], counted: Mapping[str, float]) -> bool:
+        """Return whether one that rested elsewhere, and was sent nowhere, counts what it does after a start."""
+        told = self._antenna.rotator.facts.zero_deg
+        rested = max((abs(seen[name]) for name in told), default=0.0)
+        return rested > BESIDE_DEG and all(abs(counted[name]) <= SAME_DEG for name in told)
+
     def _believe(self) -> None:
-        self._silent, self._unheard_since = None, math.inf
-        self._antenna.rotator.check_zero = None
+        self._silent, self._unheard_since, self._contradicted = None, math.inf, False
 
     def _look_ahead(self, *, taken: bool) -> None:
         """Take in where the machine is on its way to, as it counts."""
@@ -201,6 +213,7 @@ class ZeroMemory:
             return
         counted = counted_at(state.position, self._antenna.rotator.facts)
         self._way.see(counted, state.position.at, rests=resting)
+        self._antenna.rotator.check_zero = self._check
         self._look_ahead(taken=True)
         if resting:
             self._keep(ZeroAsLeft(zero_deg, counted, self._made, self._store.clock.utc()))
