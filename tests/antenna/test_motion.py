@@ -7,6 +7,7 @@ from birdcage.antenna.motion import plan_axis, start_motion
 from birdcage.antenna.rest import RestWatch
 from birdcage.kinematics import plan_slew
 from birdcage.protocol.g2.model import CARRYOUT_G2
+from birdcage.protocol.hal.model import TRAVLER
 from birdcage.rotator.values import Position
 from hypothesis import given
 from hypothesis import strategies as st
@@ -92,3 +93,13 @@ def test_an_azimuth_that_is_seen_going_the_other_way_round_goes_on_that_way():
     turned = [motion.azimuth.modelled(at / 10, 1.0)[0] for at in range(5, 40)]
     assert turned == sorted(turned, reverse=True)
     assert motion.eta(1.0) > 0.5 + 160.0 / 65.0
+
+
+def test_an_axis_that_is_read_beyond_its_target_after_a_fast_way_has_overshot_and_turned_no_other_way_round():
+    motion = start_motion(TRAVLER, Position(90.0, 40.0), 40.0, 40.0, 0.0)
+    eta = motion.eta(1.0)
+    seen = motion.with_reading(Position(121.0, 40.0), 9.0, 1.0).with_reading(Position(130.3, 40.0), 10.0, 1.0)
+    assert seen.azimuth.slew.end_deg == 130.0
+    seen = seen.with_reading(Position(130.6, 40.0), 10.1, 1.0)
+    assert seen.azimuth.slew.end_deg == 130.0
+    assert seen.eta(1.0) < eta + 5.0

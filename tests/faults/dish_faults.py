@@ -94,9 +94,8 @@ DISH_FAULTS = (
         "stall az", "Azimuth is blocked", blocks(0), frees(0), lasts_s=LONG,
         expect={**STALLED, **timed("x1 in mid-move", "x2 in mid-move", fault="stall", held="fault", motion="stall")},
     ),
-    # One that prints tenths may look for half a minute like one that is slow.
     Fault(
-        "stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s={MOVING: 50.0}, strikes_s=0.7
+        "stall el", "Elevation is blocked", blocks(1), frees(1), expect=STALLED, lasts_s=LONG, strikes_s=0.7
     ),
     Fault(
         "stall sk", "Skew is blocked", blocks(2), frees(2), lasts_s=LONG, motion=skew,

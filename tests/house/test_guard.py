@@ -25,7 +25,10 @@ def test_after_it():
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no timer of processor time")
 def test_a_test_that_computes_for_ever_fails_and_the_rest_is_run(tmp_path):
+    (tmp_path / "shared").mkdir()
     shutil.copy(CONFTEST, tmp_path)
+    shutil.copy(CONFTEST.parent / "shared" / "night.py", tmp_path / "shared")
+    (tmp_path / "by_night.txt").touch()
     (tmp_path / "test_it.py").write_text(TESTS)
     (tmp_path / "pytest.ini").write_text("[pytest]\ncpu_limit_s = 0.5\nmarkers = soak: long\n")
     ran = subprocess.run(

@@ -65,15 +65,21 @@ class AxisMotion:
         elapsed_s = (at - self.read_at) * rate
         mean = (unrolled - self.read_deg) / elapsed_s if elapsed_s > 0 else None
         seen = replace(self, read_deg=unrolled, read_at=at, rate_deg_s=mean)
-        return seen.other_way_round(mean) if mean is not None and self._turns_against(mean) else seen
+        return seen.other_way_round(mean) if mean is not None and self._turns_against(unrolled, mean) else seen
 
-    def _turns_against(self, mean_deg_s: float) -> bool:
-        """Return whether the azimuth turns the other way than modelled: the turn of the cable was not known."""
+    def _turns_against(self, now_deg: float, mean_deg_s: float) -> bool:
+        """Return whether the azimuth turns the other way than modelled: the turn of the cable was not known.
+
+        It left the target behind with the reading before, and clearly: an axis that overshoots is a little beyond it.
+        """
+        left_deg, left_before_deg = self.slew.end_deg - now_deg, self.slew.end_deg - self.read_deg
         return (
             self.axis.index == MOTOR_AZIMUTH
             and abs(mean_deg_s) > AGAINST_DEG_S
-            and (not self.streamed or abs(self.slew.end_deg - self.read_deg) > STREAM_AGAINST_DEG)
-            and (self.slew.end_deg - self.read_deg) * mean_deg_s < 0
+            and (not self.streamed or abs(left_deg) > STREAM_AGAINST_DEG)
+            and left_deg * mean_deg_s < 0
+            and left_before_deg * mean_deg_s < 0
+            and abs(left_before_deg) >= MODEL_TRUST_DEG
         )
 
     def other_way_round(self, mean_deg_s: float) -> AxisMotion:

@@ -72,6 +72,7 @@ FACTS = Facts(
     zero_at_power_up=(AZIMUTH,),
     boot_s=RP2040_BOOT_S,
     readback=Readback.ALWAYS,
+    drives_on=True,
     sends_together=True,
     power_switch="motor supply",
     tells_version=True,

@@ -37,6 +37,7 @@ FACTS = Facts(
         ),
         POWER_SWITCH,
     ),
+    drives_on=True,  # not known: then it is stopped
     slew=None,
     sends_together=True,
     search_switch=SearchSwitch.NEVER_SEARCHES,

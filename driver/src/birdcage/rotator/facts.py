@@ -205,6 +205,9 @@ class Facts:
     """Whether that is known; without a `cable` then, nothing winds up."""
     moves_one_axis: bool = True
     """Whether azimuth and elevation can each be sent by itself; else both are, by a slew or by a mapping."""
+    drives_on: bool = False
+    """Whether it goes on driving an axis that is blocked, and so moves by itself once that is free, until it is stopped
+    or sent elsewhere. A console gives such a move up itself."""
     sends_together: bool = False
     """Whether azimuth and elevation are sent in one call where both change; else in two, one after the other."""
     mapping: SkyMapping | None = None

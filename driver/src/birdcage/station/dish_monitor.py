@@ -221,6 +221,9 @@ class DishMonitor:
     def _stalled(self, axis: str, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
         self._raise_stall(blocked(axis, sentence))
+        if self._antenna.model.drives_on:  # else it jumps as soon as somebody frees it
+            self._stopper.call("birdcage", HeldReason.FAULT)
+            self._stopper.take_calls()
 
     def _raise_stall(self, found: MotorFault) -> None:
         self.raise_fault(

@@ -11,12 +11,12 @@ from birdcage.antenna.strategy.strategy import StopAction, Unplanned
 from birdcage.base.errors import CommandRefused
 from birdcage.base.geometry import separation
 from birdcage.base.reason import Reason
+from birdcage.rotator.facts import Facts
 from birdcage.rotator.ladder import MoveKind, StopMeans, StopOrder
-from birdcage.station.state import Activity, Motion, Pointing, StopReport
+from birdcage.station.state import Activity, FaultReason, Motion, Pointing, StationState, StopReport
 
 SHORT_DEG = 0.5
 RELEASED = "The motors are released: nothing drives the dish, and its position is unknown. Home it."
-UNPLANNED = {Activity.UNKNOWN: Unplanned.UNKNOWN, Activity.MOVING_UNASKED: Unplanned.SEEN}
 BUSY_WITH = {MoveKind.STOW: "Stowing", MoveKind.HOME: "Homing", MoveKind.SWEEP: "Sweeping"}
 LEARNT = (StopMeans.RETARGET, StopMeans.COMMAND, StopMeans.ABORT)
 """What a dish in motion shows to work, or not."""
@@ -25,6 +25,14 @@ UNKNOWN = (Reason.UNKNOWN_COMMAND, Reason.UNSUPPORTED)
 OTHERS = (Activity.UNKNOWN, Activity.MOVING_UNASKED, Activity.STOWING)
 """Where motion is not at the speed that this program knows, if it moves at all."""
 GOES_ON = "The sweep goes on to its end: nothing else is known to stop it but the power of the dish."
+
+
+def unplanned(state: StationState, facts: Facts, *, motor_runs: bool) -> Unplanned:
+    """Return what may move besides what was asked for. An axis that is blocked and driven on counts as seen moving."""
+    is_stalled = state.fault is not None and state.fault.reason is FaultReason.STALL
+    if motor_runs or state.activity is Activity.MOVING_UNASKED or (is_stalled and facts.drives_on):
+        return Unplanned.SEEN
+    return Unplanned.UNKNOWN if state.activity is Activity.UNKNOWN else Unplanned.NONE
 
 
 class StopReach(Enum):

@@ -10,7 +10,7 @@ from collections import deque
 from dataclasses import replace
 
 from birdcage.antenna.antenna import BirdcageAntenna
-from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction, Unplanned
+from birdcage.antenna.strategy.strategy import MotionStrategy, StopAction
 from birdcage.base.errors import BirdcageError, CommandRefused, Held, LinkError, NoReply, PositionUnknown, Stopped
 from birdcage.base.held import HeldReason
 from birdcage.base.reason import Reason
@@ -27,9 +27,9 @@ from birdcage.station.stop_pending import (
     LEARNT,
     OTHERS,
     RELEASED,
-    UNPLANNED,
     PendingStop,
     StopReach,
+    unplanned,
 )
 from birdcage.station.stop_times import MOST_REPEATS, StopTimes
 from birdcage.station.stop_words import search_ended
@@ -106,8 +106,8 @@ class Stopper:
         return self._at_once()
 
     def _at_once(self) -> StopAction:
-        by = UNPLANNED.get(self._store.state.activity, Unplanned.NONE)
-        return self._strategy.at_once(Unplanned.SEEN if self._antenna.moving.motor_runs else by, self._store.clock)
+        by = unplanned(self._store.state, self._antenna.model, motor_runs=self._antenna.moving.motor_runs)
+        return self._strategy.at_once(by, self._store.clock)
 
     def _reach(self, action: StopAction) -> StopReach:
         if action.means.is_sent or (action.order is not None and self._strategy.anywhere):
