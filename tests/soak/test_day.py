@@ -19,7 +19,6 @@ import sys
 import tracemalloc
 
 import pytest
-from night import by_night
 
 from .day import TOTAL_LIMIT, Day
 from .growth import Holdings
@@ -56,8 +55,9 @@ def test_two_hours(firmware, tmp_path):
 
 
 @pytest.mark.soak
+@pytest.mark.night
 @pytest.mark.usefixtures("patience", "traced")
-@pytest.mark.parametrize("firmware", by_night(FIRMWARE, 1))
+@pytest.mark.parametrize("firmware", FIRMWARE)
 def test_a_day(firmware, tmp_path):
     day = Day(firmware, SEED, tmp_path)
     day.until(2.0)
