@@ -18,8 +18,8 @@ def test_it_is_named_with_what_it_tells(clock):
     found = detect_firmware(PORT, clock, open_port=twin.dial)
     assert (found.firmware, found.candidates, found.baud, found.is_told) == ("rotctl", ("rotctl",), None, True)
     assert found.sentence == (
-        f"{PORT} is a rotctld rotator (rotctl): it answers in the language that its address names. It tells What the "
-        "server calls its rotator: SPID ROT2PROG, model 901, rot_type AzEl, south_zero 0."
+        f"{PORT} is a rotctld rotator (rotctl): it answers in the language that its address names. Name from "
+        "the server: SPID ROT2PROG, model 901, rot_type AzEl, south_zero 0."
     )
     assert twin.said() == ["\\dump_state", "\\dump_state", "_"]
     assert twin.dialled == ["socket://shed:4533"]

@@ -145,7 +145,7 @@ def _meet(firmware: str, port: str, clock: Clock, open_port: OpenLink | None) ->
     if met.silence:
         return Detection(port, None, f"{port} names a {met.name} ({firmware}), and none answers. {met.silence}")
     clue = Clue(firmware, "it answers in the language that its address names", CERTAIN)
-    told = f" It tells {met.told}." if met.told else ""
+    told = f" {met.told[:1].upper()}{met.told[1:]}." if met.told else ""
     sentence = f"{port} is a {met.name} ({firmware}): {clue.words}.{told}"
     return Detection(port, firmware, sentence, (), (clue,), (firmware,))
 
