@@ -3,7 +3,8 @@
 Only what no driver can avoid is in it, as a root sum square:
 
     slow    axes that are too slow for the pass (a keyhole): what the best course that the planner knows leaves
-    steps   each axis stands at whole steps: step / sqrt(12)
+    steps   each axis stands at whole steps: step / sqrt(12); and, where its motor has to rest after each command, at an
+            overshoot that is another one each time: how far that is from its mean
     stair   the target's way from one command of an axis to its next, the wire shared between both axes as is best
 
 The stair is what is left of a cycle of period T = d / rate: a move over d, from rest to rest, that lasts as long as
@@ -11,8 +12,9 @@ was measured, or m = 2 sqrt(d / a), and a rest. For m = 0 it is d / sqrt(12), an
 cycle. T is one answer a command, or one for both axes where one command carries both; where moves wait for each other,
 a command takes its move where that is longer.
 
-Not in it, as a driver can avoid them: overshoot and dead-band (their means can be learnt, and a motor that is sent on
-before it rests has none), a wait for an answer while a move is under way, a reading, and the chance of a delay.
+Not in it, as a driver can avoid them: the mean of overshoot and dead-band, which can be learnt; all of the overshoot of
+a motor that takes a speed, as it need not rest; a wait for an answer while a move is under way, a reading, and the
+chance of a delay.
 """
 
 from __future__ import annotations
@@ -32,7 +34,7 @@ EVERY = 50
 """One of so many samples is worked out."""
 
 
-def limit_deg(free: Plan, facts: Facts, times: np.ndarray, answer_s: float) -> float:
+def limit_deg(free: Plan, facts: Facts, times: np.ndarray, answer_s: float, scatter_deg: float = 0.0) -> float:
     """Return it over some times, POSIX seconds. `free`: the plan of one that takes each command at once."""
     az, el = free.sky.sample(times)
     slow = 0.0
@@ -42,6 +44,7 @@ def limit_deg(free: Plan, facts: Facts, times: np.ndarray, answer_s: float) -> f
         slow = float(np.mean(turn**2 + (on_el - el) ** 2))
     lift = np.cos(np.radians(el))
     steps = (facts.azimuth.step_deg**2 * float(np.mean(lift**2)) + facts.elevation.step_deg**2) / 12.0
+    steps += scatter_deg**2 * (float(np.mean(lift**2)) + 1.0)
     rates = rates_deg_s(free, times)
     some = zip(rates[::EVERY], lift[::EVERY], strict=True)
     stairs = [stair_deg2(facts, each, answer_s, across) for each, across in some]

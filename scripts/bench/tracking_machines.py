@@ -31,6 +31,7 @@ from birdcage.base.config import Settings
 from birdcage.base.geometry import separation
 from birdcage.link.link import Link
 from birdcage.rotator.facts import Facts, Readback, SecondMove
+from birdcage.sim.axis import OVERSHOOT_FORWARD_DEG
 from birdcage.sim.port import SimPort, open_device
 from birdcage.sky.targets.model import Satellite
 from birdcage.station.mounting import mount_of
@@ -159,10 +160,10 @@ def follow(run: Run) -> Followed | None:
             times.append(now_s)
             errors.append(separation(truth.az_deg, truth.el_deg, *plan.sky.at(now_s)))
     tells, at = facts.readback is Readback.ALWAYS, np.array(times)
-    moves = sum(line[:1].lower() in "agmv" for _at, line in list(ground.device.shell.received)[sent:])
     if tells:
-        limit = limit_deg(free, facts, at, answer_s(ground))
+        limit = limit_deg(free, facts, at, answer_s(ground), scatter_deg(ground))
     else:
+        moves = sum(is_move(line) for _at, line in list(ground.device.shell.received)[sent:])
         rates = rates_deg_s(plan, at) * np.column_stack((np.cos(np.radians(plan.sky.sample(at)[1])), np.ones(len(at))))
         limit = math.sqrt(np.mean(np.sum(rates**2, axis=1))) * (times[-1] - times[0]) / max(moves, 1)
     ground.session.close()
@@ -173,6 +174,18 @@ def answer_s(ground: Ground) -> float:
     """Return how long the machine itself takes for a command on the mean: its delay, or the pace that it asks for."""
     settings = ground.device.settings
     return max((settings.latency_min + settings.latency_max) / 2.0, getattr(settings, "motor_gap_s", 0.0))
+
+
+def scatter_deg(ground: Ground) -> float:
+    """Return how far an axis comes to rest from its mean, RMS, where it has to rest: it takes no speed to glide at."""
+    near_deg, far_deg = OVERSHOOT_FORWARD_DEG
+    return 0.0 if ground.dish.has_speeds else ground.device.settings.overshoot * (far_deg - near_deg) / math.sqrt(12.0)
+
+
+def is_move(line: str) -> bool:
+    """Return whether a line sends an axis somewhere: it has angles behind its word."""
+    words = line.split()
+    return len(words) > 1 and words[0].lower() in ("a", "g", "m")
 
 
 def _ours(ground: Ground, plan: Plan, legs: list[PlanLeg], options: PursuitOptions) -> Iterator[None]:

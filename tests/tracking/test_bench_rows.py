@@ -45,3 +45,11 @@ def test_axes_that_move_in_turn_are_left_more_than_those_that_take_a_command_at_
 
     rates = np.array([0.3, 0.2])
     assert stair_deg2(TRAVLER, rates, 0.01) > 10.0 * stair_deg2(CARRYOUT_G2, rates, 0.01)
+
+
+def test_a_line_that_asks_or_is_blank_is_no_move():
+    from tracking_machines import is_move
+
+    assert [line for line in ("", "\r", "a", "q", "a 0 123.45", "g 12.0 30.0", "?") if is_move(line)] == [
+        "a 0 123.45", "g 12.0 30.0",
+    ]  # fmt: skip

@@ -90,6 +90,7 @@ FACTS = Facts(
             name firmware baud azimuth.min_deg azimuth.max_deg elevation.min_deg elevation.max_deg azimuth.step_deg
             elevation.step_deg azimuth.speed_deg_s elevation.speed_deg_s turn second_same second_other stop_ladder
             search_switch homing_s zero_at_power_up readback cable.min_deg cable.max_deg tells_version boot_s
+            drives_on
         """,
         inferred="""
             azimuth.acceleration_deg_s2 elevation.acceleration_deg_s2 azimuth.overshoot_deg elevation.overshoot_deg

@@ -52,7 +52,7 @@ FACTS = Facts(
         documented="name firmware baud readback search_switch sends_together never_homes turn cable cable_known",
         inferred="second_same second_other boot_s azimuth.min_deg azimuth.max_deg elevation.min_deg elevation.max_deg "
         "azimuth.speed_deg_s elevation.speed_deg_s azimuth.acceleration_deg_s2 elevation.acceleration_deg_s2 "
-        "azimuth.step_deg elevation.step_deg least_look_interval_s",
+        "azimuth.step_deg elevation.step_deg least_look_interval_s drives_on",
     ),
 )  # fmt: skip
 """`docs/reference/rotctl.md`, *Facts*."""

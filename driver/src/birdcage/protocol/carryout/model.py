@@ -74,7 +74,7 @@ CARRYOUT_2003 = Facts(
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             turn second_same second_other stop_ladder slew.least_deg search_switch boot_s
             has_motor_power has_stow has_own_settings cable_known moves_one_axis sends_together never_homes
-            tells_version
+            tells_version drives_on
         """,
     ),
 )

@@ -116,7 +116,7 @@ CARRYOUT_G2 = Facts(
         """,
         inferred="""
             second_same second_other stop_ladder boot_s sweep.least_step_deg sweep.most_span_deg sweep.most_transponders
-            sweep.way_known sweep.whole_span
+            sweep.way_known sweep.whole_span drives_on
         """,
     ),
 )

@@ -115,7 +115,7 @@ TRAVLER = Facts(
             azimuth.speed_deg_s azimuth.acceleration_deg_s2 azimuth.overshoot_deg
             elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
             skew.min_deg skew.max_deg skew.speed_deg_s skew.acceleration_deg_s2 skew.overshoot_deg skew.times
-            slew.least_deg turn boot_s power_switch has_motor_power tells_version
+            slew.least_deg turn boot_s power_switch has_motor_power tells_version drives_on
         """,
     ),
 )
@@ -138,7 +138,7 @@ OLDER_TRAVLER = replace(
 _PRO_INFERRED = """
     baud azimuth.times elevation.times azimuth.step_deg elevation.step_deg skew.step_deg cable.min_deg cable.max_deg
     has_stow search_switch has_own_settings readback second_same second_other stop_ladder rotctld_name cable_known
-    moves_one_axis sends_together never_homes settings_name least_line_interval_s
+    moves_one_axis sends_together never_homes settings_name least_line_interval_s drives_on
 """
 TRAVLER_PRO = replace(
     TRAVLER,

@@ -30,6 +30,7 @@ _INFERRED = """
     elevation.speed_deg_s elevation.acceleration_deg_s2 elevation.overshoot_deg
     turn slew.least_deg second_same second_other stop_ladder search_switch homing_s boot_s readback power_switch
     has_motor_power has_stow has_own_settings cable_known moves_one_axis sends_together never_homes tells_version
+    drives_on
 """
 
 
