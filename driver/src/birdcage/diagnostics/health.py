@@ -69,7 +69,7 @@ def _looked_at(dish: str, figures: HealthFigures, state: StationState) -> str:
     moves = sum(each.moves for each in figures.motors)
     parts = [
         many(moves, "move"), many(stalls, "stall"), many(link.restarts, "restart"),
-        f"lost replies: {share(link.unanswered, link.asked)}" if link.asked else "no replies yet",
+        f"lost replies: {share(link.unanswered, link.asked)}" if link.asked else "lost replies: --",
     ]  # fmt: skip
     of = f" of the {dish}" if dish else ""
     return f"Looked at {many(figures.days, 'day')}{of}. Counted {', '.join(parts)}. {_present(state)}"
