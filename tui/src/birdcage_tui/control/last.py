@@ -44,7 +44,7 @@ def _hint(view: View) -> str:
     if pursuit is not None:
         return f"Tracking {pursuit.plan.aim.name}. An arrow takes over, or g and a direction."
     if view.state.awaits_first_move:
-        return "g goes to a direction. Where it stands is not known before: arrows step from there."
+        return "g: send it to a direction first. Arrows then step from there."
     return f"Arrows or hjkl step {view.step_deg:g}°, g goes to a direction, Tab moves to the digits."
 
 

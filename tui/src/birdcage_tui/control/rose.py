@@ -238,7 +238,7 @@ def _why_unknown(view: View) -> tuple[str, ...]:
         return "NO DIRECTION", "no azimuth and elevation"
     if state.awaits_first_move:
         moves = state.motion is not None or state.activity is Activity.UNKNOWN
-        return "NOT TOLD", "on its way" if moves else "send it somewhere first"
+        return "UNKNOWN", "on its way" if moves else "send it somewhere first"
     if state.homed is False:
         return unhomed_word(view), *home_hint(view).split(": ")
     if state.position_lost in _LOST:
