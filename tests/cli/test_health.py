@@ -110,7 +110,9 @@ def test_a_named_dish_out_of_reach_has_its_own_history_and_not_that_of_the_demo(
     branch(demo).write(journal)
     said = run("health", port="/dev/no-such-port")
     assert "stalled" not in said.stdout
-    assert f"Looked at 30 days of the {G2.name}. Counted 0 moves, 0 stalls, 0 restarts, lost replies: --." in said.stdout
+    assert (
+        f"Looked at 30 days of the {G2.name}. Counted 0 moves, 0 stalls, 0 restarts, lost replies: --." in said.stdout
+    )
     assert as_json(run("health", "--quick", "--json"))["dish"] == G2.name
 
 
