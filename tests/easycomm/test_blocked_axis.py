@@ -15,8 +15,11 @@ def stage_of(kind):
     return Stage(MachineBench("rotctl", server("seed=1&az=100&el=30"), stops=())) if kind == "rotctl" else met(kind)
 
 
-@pytest.mark.parametrize(("kind", "stop"), [(RP2040, "STOP"), (STOCK, "SA SE"), ("rotctl", "S")])
-def test_it_is_stopped_and_stays_where_it_is_when_somebody_frees_it(kind, stop):
+@pytest.mark.parametrize(
+    ("kind", "stop", "remedy"),
+    [(RP2040, "STOP", "sync it"), (STOCK, "SA SE", "home it"), ("rotctl", "S", "check where it points")],
+)
+def test_it_is_stopped_and_stays_where_it_is_when_somebody_frees_it(kind, stop, remedy):
     with stage_of(kind) as stage:
         stage.ready()
         twin = stage.twin.device
@@ -29,6 +32,7 @@ def test_it_is_stopped_and_stays_where_it_is_when_somebody_frees_it(kind, stop):
         twin.stall(1)
         stage.until(lambda: stage.state.fault is not None, 90.0, "the stall is seen")
         assert stage.state.fault.reason is FaultReason.STALL
+        assert remedy in stage.state.fault.remedy
         stage.step(3.0)
         sent = count()
         assert sent > 0

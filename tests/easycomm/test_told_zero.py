@@ -29,6 +29,16 @@ def stand_at(stage, turn_deg):
     stage.step(5.0)
 
 
+def restart_unheard(stage, seconds):
+    """Let it start anew while for so long no byte gets through."""
+    for lane in stage.twin.device.wire.lanes:
+        lane.silent = True
+    stage.twin.device.reboot()
+    stage.step(seconds)
+    for lane in stage.twin.device.wire.lanes:
+        lane.silent = False
+
+
 @pytest.mark.parametrize("moves", [False, True])
 def test_power_that_goes_and_comes_back_in_a_silence_makes_the_azimuth_unknown(moves):
     """In mid-move, too, where its way leads across the 0 that it counts after a start."""
@@ -38,12 +48,7 @@ def test_power_that_goes_and_comes_back_in_a_silence_makes_the_azimuth_unknown(m
         if moves:
             stage.station.submit(Goto(300.0, 40.0, "you"))
             stage.step(1.5)
-        for lane in stage.twin.device.wire.lanes:
-            lane.silent = True
-        stage.twin.device.reboot()
-        stage.step(8.0)
-        for lane in stage.twin.device.wire.lanes:
-            lane.silent = False
+        restart_unheard(stage, 8.0)
         stage.step(10.0)
         state, sent = stage.state, len(sets(stage))
         assert (state.link.state, state.position, state.position_lost) == (LinkPhase.UP, None, "unsynced")
@@ -63,12 +68,7 @@ def test_power_that_goes_and_comes_back_between_two_questions_makes_the_azimuth_
         stage.step(10.0)
         read_at = stage.state.position.at
         stage.until(lambda: stage.state.position.at > read_at, 6.0, "it was asked")
-        for lane in stage.twin.device.wire.lanes:
-            lane.silent = True
-        stage.twin.device.reboot()
-        stage.step(2.0)
-        for lane in stage.twin.device.wire.lanes:
-            lane.silent = False
+        restart_unheard(stage, 2.0)
         stage.step(5.0)
         assert [event for event in stage.events if isinstance(event, LinkChanged) and event.link.reason] == []
         assert (stage.state.link.state, stage.state.position_lost) == (LinkPhase.UP, "unsynced")

@@ -220,7 +220,7 @@ class DishMonitor:
 
     def _stalled(self, axis: str, sentence: str) -> None:
         self._mover.activity(Activity.IDLE, "")
-        self._raise_stall(blocked(axis, sentence))
+        self._raise_stall(blocked(axis, sentence, self._antenna.model))
         if self._antenna.model.drives_on:  # else it jumps as soon as somebody frees it
             self._stopper.call("birdcage", HeldReason.FAULT)
             self._stopper.take_calls()

@@ -20,12 +20,20 @@ class MotorFault:
     remedy: str
 
 
-def blocked(axis: str, sentence: str) -> MotorFault:
+def blocked(axis: str, sentence: str, dish: Facts) -> MotorFault:
     """Return the fault of an axis that something keeps from turning."""
+    if dish.must_be_synced:
+        then = "acknowledge, and sync it if its angles are wrong"
+    elif dish.never_homes:
+        then = "acknowledge, and check where it points"
+    elif dish.homing_s is None:
+        then = "acknowledge, and switch it off and on if its angles are wrong"
+    else:
+        then = "acknowledge, and home it if its angles are wrong"
     return MotorFault(
         axis, homing=False, what=sentence,
         meaning="Something blocks it, or its motor lost steps.",
-        remedy="Look at the dish first. Free it, acknowledge, and home it if its angles are wrong.",
+        remedy=f"Look at the dish first. Free it, {then}.",
     )  # fmt: skip
 
 
@@ -33,7 +41,7 @@ def motor_fault(trouble: MotorTrouble, dish: Facts) -> MotorFault:
     """Return the fault that a dish tells of."""
     axis = trouble.axis
     if not trouble.homing:
-        return blocked(axis, f"The {axis} is stalled: the dish says {trouble.said!r}")
+        return blocked(axis, f"The {axis} is stalled: the dish says {trouble.said!r}", dish)
     again = "" if dish.homing_s is None else ", or acknowledge and home it"
     freed = f"Find what blocks it, and free it. Then switch it off and on{again}."
     return MotorFault(
